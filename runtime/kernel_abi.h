@@ -1,0 +1,100 @@
+// The one versioned contract between generated kernels and the runtime that calls them.
+//
+// Levels of data, each with its index formula (L = lanes of a batch, n = nodes of the element,
+// d = space dimensions, a = node, i = component, l = lane):
+//
+//   batch     L elements of one association and one material, computed together, one per SIMD lane
+//   positions, displacement, direction, forces, product   value[(a * d + i) * L + l]
+//   constants value[k * L + l]                 grouped constants, k < VariantTable::num_constants
+//   state     value[k * L + l]                 stored by linearize, k < VariantTable::num_state
+//   energy    value[l]
+//   stiffness value[((a * d + i) * n * d + (b * d + j)) * L + l]
+//   geometry  value[k * L + l]: k < n: nodal volumes, integral of shape function k over the rest
+//             shape [m^d]; n <= k < n + num_points: Jacobian determinant at quadrature point k - n
+//   parameters value[k]                        uniform over the batch, in the law's order
+//
+// All arrays are aligned to 64 bytes. A batch that is not full repeats its last element in the
+// empty lanes; the caller drops their results.
+//
+// Signs: energy W; forces f = -dW/dU; stiffness K = d2W/dU2; product p = (df/dU) V = -K V.
+// Kernels accumulate (energy, forces: out += value; product, apply: out += scale * value), except
+// constants, geometry, state and stiffness, which are overwritten.
+#pragma once
+
+#include <cstdint>
+
+namespace elastogen {
+
+inline constexpr std::uint32_t kernel_abi_version = 1;
+
+/// Lanes of a SIMD batch: one 64-byte vector, 8 doubles or 16 floats. Tables of scalar kernels
+/// have 1 lane and the same layout.
+template <class Scalar>
+inline constexpr int batch_lanes = static_cast<int>(64 / sizeof(Scalar));
+
+/// Bits of the per-element status; 0 is a good result.
+enum KernelStatus : std::uint32_t {
+  status_ok = 0,
+  status_not_finite = 1,      ///< an output is NaN or infinite
+  status_outside_domain = 2,  ///< the law's domain was left (a logarithm's argument <= 0)
+};
+
+/// What a kernel reads and writes. A pointer that the operation does not use may be null:
+///   constants, geometry   read positions, parameters
+///   energy, forces        read positions*, parameters, constants, displacement
+///   product               ... and direction
+///   linearize             reads as forces, writes state (to output)
+///   apply                 reads positions*, parameters, constants, state, direction
+///   stiffness             reads as forces
+/// *: only where VariantTable::reads_positions says so.
+template <class Scalar>
+struct KernelArguments {
+  const Scalar* positions = nullptr;
+  const Scalar* parameters = nullptr;
+  const Scalar* constants = nullptr;
+  const Scalar* displacement = nullptr;
+  const Scalar* direction = nullptr;
+  const Scalar* state = nullptr;
+  Scalar* output = nullptr;
+  Scalar scale = Scalar(1);         ///< k of df += k * product; used by product and apply
+  std::uint32_t* status = nullptr;  ///< [L], bits are or-ed in; null: not reported
+};
+
+template <class Scalar>
+using KernelFunction = void (*)(const KernelArguments<Scalar>&);
+
+/// The kernels of one geometry variant ("general", "box") of an association.
+template <class Scalar>
+struct VariantTable {
+  const char* geometry;
+  std::int32_t num_constants;
+  std::int32_t num_state;
+  bool reads_positions;  ///< energy ... stiffness recompute something from the rest positions
+  KernelFunction<Scalar> constants;
+  KernelFunction<Scalar> geometry_measures;  ///< operation `geometry` above
+  KernelFunction<Scalar> energy;             ///< null: not generated for this scene; so below
+  KernelFunction<Scalar> forces;
+  KernelFunction<Scalar> product;
+  KernelFunction<Scalar> linearize;
+  KernelFunction<Scalar> apply;
+  KernelFunction<Scalar> stiffness;
+};
+
+/// One association, as a compiled kernel library exports it.
+template <class Scalar>
+struct KernelTable {
+  std::uint32_t abi_version;
+  std::int32_t lanes;       ///< 1 or batch_lanes<Scalar>
+  const char* association;  ///< "stvk-hexa8-q8-none"
+  const char* element;      ///< "hexa8"
+  const char* hash;         ///< content hash of the generated source
+  std::int32_t dim;
+  std::int32_t num_nodes;
+  std::int32_t num_points;
+  std::int32_t num_parameters;
+  const char* const* parameter_names;
+  std::int32_t num_variants;  ///< the first is always "general"
+  const VariantTable<Scalar>* variants;
+};
+
+}  // namespace elastogen

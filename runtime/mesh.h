@@ -1,0 +1,44 @@
+// Mesh: nodes, and blocks of elements of one type each.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace elastogen {
+
+/// Elements of one type.
+struct ElementBlock {
+  std::string element;  ///< "tet4", "hexa8", "prism6", "pyramid5"; node order of symgen/element
+  int nodes_per_element = 0;
+  std::vector<std::int32_t> nodes;   ///< [e * nodes_per_element + a], global node numbers
+  std::vector<std::int32_t> region;  ///< [e], index into Mesh::region_names
+
+  [[nodiscard]] std::size_t num_elements() const { return region.size(); }
+  [[nodiscard]] std::span<const std::int32_t> element_nodes(std::size_t e) const {
+    return {nodes.data() + e * static_cast<std::size_t>(nodes_per_element),
+            static_cast<std::size_t>(nodes_per_element)};
+  }
+};
+
+/// A mesh of mixed blocks. Positions are node-major: positions[dim * node + component], metres.
+/// Elements are numbered through the blocks in order, from 0.
+struct Mesh {
+  int dim = 3;
+  std::vector<double> positions;
+  std::vector<ElementBlock> blocks;
+  std::vector<std::string> region_names;
+
+  [[nodiscard]] std::size_t num_nodes() const {
+    return positions.size() / static_cast<std::size_t>(dim);
+  }
+  [[nodiscard]] std::size_t num_elements() const {
+    std::size_t count = 0;
+    for (const ElementBlock& block : blocks) count += block.num_elements();
+    return count;
+  }
+};
+
+}  // namespace elastogen
