@@ -1,0 +1,268 @@
+#include "symgen/law/law.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "runtime/error.h"
+#include "symgen/law/expression.h"
+#include "symgen/law/names.h"
+#include "symgen/law/rest_state.h"
+#include "symgen/law/toml_fields.h"
+#include "symgen/mechanics/invariants.h"
+
+namespace elastogen::symgen {
+namespace {
+
+std::string read_text(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    throw InputError(fmt::format("law file '{}' does not exist or is no file", file.string()));
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream) throw InputError(fmt::format("law file '{}' cannot be read", file.string()));
+  return text.str();
+}
+
+toml::table parse_toml(const std::string& file, const std::string& text) {
+  try {
+    return toml::parse(text, std::string_view(file));
+  } catch (const toml::parse_error& error) {
+    fail_at_line(file, error.source(),
+                 fmt::format("not valid TOML: {}", std::string(error.description())));
+  }
+}
+
+/// Calls `parse`, and gives what it complains of the place of `key`.
+template <class Parse>
+auto at_key(const TomlFields& fields, const std::string& key, const Parse& parse) {
+  try {
+    return parse();
+  } catch (const InputError& error) {
+    fields.fail(key, fmt::format("{}: {}", key, error.what()));
+  }
+}
+
+template <class Named>
+std::vector<std::string> names_of(const std::vector<Named>& all) {
+  std::vector<std::string> names;
+  for (const Named& one : all) names.push_back(one.name);
+  return names;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string read_identifier(const TomlFields& fields, const std::vector<std::string>& taken) {
+  const std::string name = fields.required_text("name");
+  if (!is_identifier(name)) {
+    fields.fail("name", fmt::format("name '{}' is no identifier: use a letter or '_', then "
+                                    "letters, digits and '_'",
+                                    name));
+  }
+  if (contains(taken, name)) {
+    fields.fail("name", fmt::format("name '{}' is taken twice; names must differ", name));
+  }
+  return name;
+}
+
+/// "parameter 'mu'", or "parameter 2" as long as its name is not known to be one.
+std::string describe(const std::string& kind, const toml::table& table, std::size_t index) {
+  const std::optional<std::string> name = table["name"].value<std::string>();
+  return name ? fmt::format("{} '{}'", kind, *name) : fmt::format("{} {}", kind, index + 1);
+}
+
+SymbolGroup young_and_poisson() {
+  return {"constants", {{"young", GiNaC::symbol("young")}, {"poisson", GiNaC::symbol("poisson")}}};
+}
+
+void read_range(const TomlFields& fields, Parameter& parameter) {
+  parameter.minimum = fields.optional_number("minimum");
+  parameter.maximum = fields.optional_number("maximum");
+  parameter.minimum_exclusive = fields.optional_flag("minimum_exclusive");
+  parameter.maximum_exclusive = fields.optional_flag("maximum_exclusive");
+  for (const auto& [bound, is_exclusive, key] :
+       {std::tuple{parameter.minimum, parameter.minimum_exclusive, "minimum"},
+        std::tuple{parameter.maximum, parameter.maximum_exclusive, "maximum"}}) {
+    if (is_exclusive && !bound) {
+      fields.fail(
+          fmt::format("{}_exclusive", key),
+          fmt::format("'{0}_exclusive' without '{0}'; give the bound or leave both out", key));
+    }
+  }
+  if (!parameter.minimum || !parameter.maximum) return;
+  const bool has_exclusive_bound = parameter.minimum_exclusive || parameter.maximum_exclusive;
+  if (*parameter.minimum > *parameter.maximum ||
+      (*parameter.minimum == *parameter.maximum && has_exclusive_bound)) {
+    fields.fail("maximum", "no value lies between 'minimum' and 'maximum'; mend one of them");
+  }
+}
+
+Parameter read_parameter(const std::string& file, const toml::table& table, std::size_t index,
+                         const std::vector<Parameter>& before) {
+  const TomlFields fields(file, table, describe("parameter", table, index),
+                          {"name", "unit", "description", "minimum", "maximum", "minimum_exclusive",
+                           "maximum_exclusive", "from_young_poisson"});
+  Parameter parameter;
+  parameter.name = read_identifier(fields, names_of(before));
+  for (const std::vector<std::string>& reserved : {invariant_names(), reserved_names()}) {
+    if (contains(reserved, parameter.name)) {
+      fields.fail("name", fmt::format("name '{}' means something else in expressions; no parameter "
+                                      "can be called {} or {}",
+                                      parameter.name, join_names(invariant_names()),
+                                      join_names(reserved_names())));
+    }
+  }
+  parameter.symbol = GiNaC::symbol(parameter.name);
+  parameter.unit = fields.required_text("unit");
+  parameter.description = fields.optional_text("description");
+  read_range(fields, parameter);
+  parameter.from_young_poisson = fields.optional_text("from_young_poisson");
+  if (!parameter.from_young_poisson.empty()) {
+    (void)at_key(fields, "from_young_poisson", [&] {
+      return parse_expression(parameter.from_young_poisson, {young_and_poisson()});
+    });
+  }
+  return parameter;
+}
+
+std::string text_of(const GiNaC::ex& expression) {
+  std::ostringstream out;
+  out << expression;
+  return out.str();
+}
+
+/// Each term must vanish at rest with its first derivative, by itself: a sum of terms may be split.
+void check_rest_state(const TomlFields& fields, const GiNaC::ex& term) {
+  RestState rest;
+  try {
+    rest = rest_state(term);
+  } catch (const std::exception&) {
+    fields.fail("energy", "the energy or its derivative is not finite at rest (H = 0)");
+  }
+  if (!rest.energy.is_zero()) {
+    fields.fail("energy", fmt::format("the energy at rest (H = 0) is {}, must be 0; subtract it",
+                                      text_of(rest.energy)));
+  }
+  if (std::any_of(rest.stress.begin(), rest.stress.end(),
+                  [](const GiNaC::ex& component) { return !component.is_zero(); })) {
+    fields.fail("energy",
+                fmt::format("the term is not stress-free at rest: dW/dH is ({}) times the identity "
+                            "at H = 0, must be 0; write what only cancels together as one term, "
+                            "as in mu/2*(I1 - 3) - mu*log(J)",
+                            text_of(rest.stress.front())));
+  }
+}
+
+LawTerm read_term(const std::string& file, const toml::table& table, std::size_t index,
+                  const std::vector<LawTerm>& before, const std::vector<SymbolGroup>& symbols) {
+  const TomlFields fields(file, table, describe("term", table, index), {"name", "energy"});
+  LawTerm term;
+  term.name = read_identifier(fields, names_of(before));
+  term.text = fields.required_text("energy");
+  term.expression = at_key(fields, "energy", [&] { return parse_expression(term.text, symbols); });
+  if (term.expression.normal().is_zero()) {
+    fields.fail("energy", "the energy is zero for every deformation; remove the term");
+  }
+  check_rest_state(fields, term.expression);
+  return term;
+}
+
+void check_all_parameters_used(const std::string& file, const Law& law,
+                               const std::vector<const toml::table*>& tables) {
+  for (std::size_t i = 0; i < law.parameters.size(); ++i) {
+    const Parameter& parameter = law.parameters[i];
+    if (std::none_of(law.terms.begin(), law.terms.end(),
+                     [&](const LawTerm& term) { return term.expression.has(parameter.symbol); })) {
+      fail_at_line(
+          file, tables[i]->source(),
+          fmt::format("parameter '{}' is used by no term; use it or remove it", parameter.name));
+    }
+  }
+}
+
+/// Names and energies, without spaces; nothing else reaches the kernels.
+std::string canonical_text(const Law& law) {
+  std::string text = fmt::format("law {}\n", law.name);
+  for (const Parameter& parameter : law.parameters) {
+    text += fmt::format("parameter {}\n", parameter.name);
+  }
+  for (const LawTerm& term : law.terms) {
+    text += fmt::format("term {} = {}\n", term.name, without_spaces(term.text));
+  }
+  return text;
+}
+
+}  // namespace
+
+Law read_law(const std::filesystem::path& path) {
+  const std::string file = path.string();
+  const toml::table root = parse_toml(file, read_text(path));
+  const TomlFields fields(file, root, "law", {"name", "title", "source", "parameter", "term"});
+  Law law;
+  law.file = file;
+  law.name = read_identifier(fields, {});
+  if (law.name != path.stem().string()) {
+    fields.fail("name", fmt::format("name '{}' differs from the file's, '{}'; give both the same",
+                                    law.name, path.stem().string()));
+  }
+  law.title = fields.optional_text("title");
+  law.source = fields.optional_text("source");
+
+  const std::vector<const toml::table*> parameter_tables = fields.required_tables("parameter");
+  SymbolGroup parameter_symbols{"parameters", {}};
+  for (std::size_t i = 0; i < parameter_tables.size(); ++i) {
+    law.parameters.push_back(read_parameter(file, *parameter_tables[i], i, law.parameters));
+    parameter_symbols.symbols.emplace_back(law.parameters[i].name, law.parameters[i].symbol);
+  }
+  SymbolGroup invariant_symbols{"invariants", {}};
+  for (const Invariant& invariant : invariants()) {
+    invariant_symbols.symbols.emplace_back(invariant.name, invariant.symbol);
+  }
+  const std::vector<const toml::table*> term_tables = fields.required_tables("term");
+  for (std::size_t i = 0; i < term_tables.size(); ++i) {
+    law.terms.push_back(
+        read_term(file, *term_tables[i], i, law.terms, {parameter_symbols, invariant_symbols}));
+  }
+  check_all_parameters_used(file, law, parameter_tables);
+  law.polynomial = std::all_of(law.terms.begin(), law.terms.end(), [](const LawTerm& term) {
+    return is_polynomial_in_gradient(term.expression);
+  });
+  law.text = canonical_text(law);
+  return law;
+}
+
+std::filesystem::path find_law_file(const std::string& name,
+                                    const std::vector<std::filesystem::path>& folders) {
+  std::vector<std::string> searched;
+  for (const std::filesystem::path& folder : folders) {
+    const std::filesystem::path file = folder / (name + ".toml");
+    std::error_code error;
+    // A name with a separator would leave the folder.
+    if (is_identifier(name) && std::filesystem::is_regular_file(file, error)) return file;
+    searched.push_back(folder.string());
+  }
+  const std::vector<std::string> known = law_names(folders);
+  throw InputError(fmt::format("unknown law '{}'{}; laws are {} (files NAME.toml in {})", name,
+                               suggestion(name, known), join_names(known), join_names(searched)));
+}
+
+std::vector<std::string> law_names(const std::vector<std::filesystem::path>& folders) {
+  std::set<std::string> names;
+  for (const std::filesystem::path& folder : folders) {
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+      if (entry.path().extension() == ".toml") names.insert(entry.path().stem().string());
+    }
+  }
+  return {names.begin(), names.end()};
+}
+
+}  // namespace elastogen::symgen

@@ -1,0 +1,16 @@
+// Functions that GiNaC lacks: remainder primitives that stay exact at small strain.
+#pragma once
+
+#include <ginac/ginac.h>
+
+namespace elastogen::symgen {
+
+/// log1p(x) = log(1 + x), real for x > -1; derivative 1/(1 + x). Zero at 0; otherwise kept as it
+/// is until evalf, which is accurate to the last digits of GiNaC::Digits however small x is.
+DECLARE_FUNCTION_1P(log1p)
+
+/// log1p_remainder(x) = x - log(1 + x) = x^2/2 - x^3/3 + ..., of second order; derivative
+/// x/(1 + x). Zero at 0; evalf is accurate relative to the value itself, not to x.
+DECLARE_FUNCTION_1P(log1p_remainder)
+
+}  // namespace elastogen::symgen

@@ -1,0 +1,232 @@
+#include "symgen/quadrature/quadrature.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "runtime/error.h"
+#include "symgen/quadrature/exact_value.h"
+#include "symgen/quadrature/line_rules.h"
+#include "symgen/quadrature/product_rules.h"
+#include "symgen/quadrature/reference_integral.h"
+#include "symgen/quadrature/simplex_rules.h"
+#include "symgen/quadrature/verify_quadrature.h"
+
+namespace elastogen::symgen {
+namespace {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+
+using Positions = std::vector<std::vector<ex>>;
+
+/// The reference nodes moved by up to 3/20 in a pattern without symmetry.
+Positions distorted_positions(const Element& element) {
+  Positions positions = element.nodes;
+  int step = 1;
+  for (std::vector<ex>& position : positions) {
+    for (ex& component : position) {
+      component += numeric(step % 7 - 3, 20);
+      step = (5 * step + 3) % 23;
+    }
+  }
+  return positions;
+}
+
+struct Case {
+  std::string element, quadrature;
+  int num_points, degree;
+};
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.element << "-" << c.quadrature; }
+
+class EveryRule : public testing::TestWithParam<Case> {
+ protected:
+  const Element& element() const { return find_element(GetParam().element); }
+  const Quadrature& rule() const {
+    return find_quadrature(GetParam().element, GetParam().quadrature);
+  }
+};
+
+const std::vector<Case> all_cases = {
+    {"tet4", "q1", 1, 1},     {"tet4", "q4", 4, 2},     {"tet4", "exact", 1, 1},
+    {"hexa8", "q8", 8, 3},    {"hexa8", "q27", 27, 5},  {"prism6", "q6", 6, 2},
+    {"prism6", "q21", 21, 5}, {"pyramid5", "q5", 5, 2}, {"pyramid5", "q8", 8, 3}};
+
+TEST_P(EveryRule, HasItsPointsInsideAndPositiveWeights) {
+  EXPECT_EQ(rule().num_points(), GetParam().num_points);
+  ASSERT_EQ(rule().points.size(), rule().weights.size());
+  for (std::size_t g = 0; g < rule().weights.size(); ++g) {
+    EXPECT_GT(exact_value(rule().weights[g]).to_double(), 0);
+    // Inside of these shapes every shape function of a vertex element is positive.
+    GiNaC::exmap point;
+    for (std::size_t i = 0; i < 3; ++i) point[element().coordinates[i]] = rule().points[g][i];
+    for (const ex& function : element().shape_functions) {
+      EXPECT_GT(exact_value(function.subs(point)).to_double(), 0) << "point " << g;
+    }
+  }
+}
+
+TEST_P(EveryRule, HasItsDegreeAndNoHigherOne) {
+  EXPECT_EQ(polynomial_degree(element(), rule(), 6), GetParam().degree);
+}
+
+TEST_P(EveryRule, IntegratesShapeGradientsOnAnyDistortedElement) {
+  EXPECT_TRUE(integrates_shape_gradients(element(), rule()));
+}
+
+TEST_P(EveryRule, LeavesOnlyRigidMotionsFree) {
+  const int required = 3 * element().num_nodes() - 6;
+  EXPECT_EQ(stiffness_rank(element(), rule(), element().nodes), required);
+  EXPECT_EQ(stiffness_rank(element(), rule(), distorted_positions(element())), required);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rules, EveryRule, testing::ValuesIn(all_cases),
+                         [](const auto& c) { return c.param.element + "_" + c.param.quadrature; });
+
+TEST(Quadratures, AreAllTested) {
+  std::size_t num_offered = 0;
+  for (const std::string& element : element_names()) {
+    for (const std::string& name : quadrature_names(element)) {
+      EXPECT_EQ(find_quadrature(element, name).name, name);
+      EXPECT_EQ(std::count_if(
+                    all_cases.begin(), all_cases.end(),
+                    [&](const Case& c) { return c.element == element && c.quadrature == name; }),
+                1)
+          << element << "-" << name;
+      ++num_offered;
+    }
+  }
+  EXPECT_EQ(num_offered, all_cases.size());
+}
+
+TEST(Quadratures, RichestRulesIntegrateNodalVolumesOnAnyDistortedElement) {
+  for (const std::string& name : element_names()) {
+    EXPECT_TRUE(integrates_nodal_volumes(find_element(name), richest_quadrature(name))) << name;
+  }
+  EXPECT_EQ(richest_quadrature("tet4").name, "q4");
+  EXPECT_EQ(richest_quadrature("hexa8").name, "q27");
+  EXPECT_EQ(richest_quadrature("prism6").name, "q21");
+  EXPECT_EQ(richest_quadrature("pyramid5").name, "q8");
+}
+
+TEST(Quadratures, ExactRuleIsForPolynomialLawsOnly) {
+  const Quadrature& exact = find_quadrature("tet4", "exact");
+  EXPECT_TRUE(exact.polynomial_laws_only);
+  EXPECT_EQ(exact.weights.front(), ex(numeric(1, 6)));
+  EXPECT_FALSE(find_quadrature("tet4", "q1").polynomial_laws_only);
+}
+
+TEST(Quadratures, FivePointPyramidHasThePublishedDecimals) {
+  const Quadrature& rule = find_quadrature("pyramid5", "q5");
+  EXPECT_DOUBLE_EQ(exact_value(rule.points[0][2]).to_double(), 0.1531754163448146);
+  EXPECT_DOUBLE_EQ(exact_value(rule.points[4][2]).to_double(), 0.6372983346207416);
+}
+
+TEST(FindQuadrature, SuggestsNearestName) {
+  try {
+    (void)find_quadrature("hexa8", "q9");
+    FAIL() << "q9 was found";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "unknown quadrature 'q9' of element 'hexa8'; did you mean 'q8'?; it has q8, q27");
+  }
+  EXPECT_THROW((void)quadrature_names("hexa9"), InputError);
+}
+
+// Rules that are too poor must fail the checks, or these prove nothing.
+TEST(StiffnessRank, FindsZeroEnergyModesOfReducedIntegration) {
+  const Element& hexa8 = find_element("hexa8");
+  Quadrature one_point =
+      tensor_product(gauss_legendre(1), tensor_product(gauss_legendre(1), gauss_legendre(1)));
+  EXPECT_EQ(stiffness_rank(hexa8, one_point, hexa8.nodes), 6);
+  EXPECT_EQ(stiffness_rank(hexa8, one_point, distorted_positions(hexa8)), 6);
+  EXPECT_FALSE(integrates_shape_gradients(hexa8, one_point));
+
+  const Element& prism6 = find_element("prism6");
+  const Quadrature triangle_centroid{"", {{numeric(1, 3), numeric(1, 3)}}, {numeric(1, 2)}, false};
+  const Quadrature two_points = tensor_product(gauss_legendre(2), triangle_centroid);
+  EXPECT_LT(stiffness_rank(prism6, two_points, prism6.nodes), 12);
+}
+
+TEST(IntegratesShapeGradients, FindsWrongWeight) {
+  Quadrature rule = find_quadrature("pyramid5", "q5");
+  rule.weights[0] += numeric(1, 1000);
+  EXPECT_FALSE(integrates_shape_gradients(find_element("pyramid5"), rule));
+}
+
+TEST(ReferenceIntegral, KnowsVolumesAndMoments) {
+  const ex x = reference_coordinates()[0];
+  const ex y = reference_coordinates()[1];
+  const ex z = reference_coordinates()[2];
+  const auto integral = [](const char* element, const ex& function) {
+    return integrate_over_reference(find_element(element), function);
+  };
+  EXPECT_EQ(integral("tet4", 1), ex(numeric(1, 6)));
+  EXPECT_EQ(integral("hexa8", 1), ex(8));
+  EXPECT_EQ(integral("prism6", 1), ex(1));
+  EXPECT_EQ(integral("pyramid5", 1), ex(numeric(2, 3)));
+  EXPECT_EQ(integral("tet4", x * y), ex(numeric(1, 120)));
+  EXPECT_EQ(integral("prism6", x * x * y), ex(numeric(1, 9)));
+  EXPECT_EQ(integral("pyramid5", x * x), ex(numeric(1, 15)));
+  // A rational function of the pyramid: x^2/(1 - z) integrates u^2 (1 - z)^3 in conical
+  // coordinates, 1/3 times 1/4.
+  EXPECT_EQ(integral("pyramid5", x * x / (1 - z)), ex(numeric(1, 12)));
+  EXPECT_THROW((void)integral("tet4", 1 / (1 + x)), InternalError);
+}
+
+// Distorted element with numbers in place of the general proof: the gradients' integral over the
+// rest shape is the same with a rule as with a much richer one.
+TEST(IntegratesShapeGradients, AgreesWithNumbersOnADistortedPyramid) {
+  const Element& element = find_element("pyramid5");
+  const Positions rest = distorted_positions(element);
+  const std::vector<std::vector<ex>> gradients = shape_gradients(element);
+  const auto integral = [&](const Quadrature& rule, std::size_t node, unsigned component) {
+    ExactNumber sum(0);
+    for (std::size_t g = 0; g < rule.weights.size(); ++g) {
+      GiNaC::exmap point;
+      for (std::size_t i = 0; i < 3; ++i) point[element.coordinates[i]] = rule.points[g][i];
+      std::vector<std::vector<ExactNumber>> jacobian(3, std::vector<ExactNumber>(3));
+      std::vector<std::vector<ExactNumber>> reference(rest.size());
+      for (std::size_t a = 0; a < rest.size(); ++a) {
+        for (std::size_t j = 0; j < 3; ++j) {
+          reference[a].push_back(exact_value(gradients[a][j].subs(point)));
+          for (std::size_t i = 0; i < 3; ++i) {
+            jacobian[i][j] = jacobian[i][j] + exact_value(rest[a][i]) * reference[a][j];
+          }
+        }
+      }
+      const unsigned i1 = (component + 1) % 3, i2 = (component + 2) % 3;
+      for (unsigned j = 0; j < 3; ++j) {
+        const unsigned j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+        const ExactNumber cofactor =
+            jacobian[i1][j1] * jacobian[i2][j2] + -(jacobian[i1][j2] * jacobian[i2][j1]);
+        sum = sum + exact_value(rule.weights[g]) * cofactor * reference[node][j];
+      }
+    }
+    return sum;
+  };
+  for (std::size_t node = 0; node < 5; ++node) {
+    for (unsigned component = 0; component < 3; ++component) {
+      const ExactNumber coarse = integral(find_quadrature("pyramid5", "q5"), node, component);
+      EXPECT_TRUE(coarse == integral(find_quadrature("pyramid5", "q8"), node, component));
+      EXPECT_TRUE(coarse.is_rational());
+    }
+  }
+}
+
+TEST(ExactValue, RefusesWhatIsNoExactNumber) {
+  EXPECT_THROW((void)exact_value(GiNaC::symbol("x")), InternalError);
+  EXPECT_THROW((void)exact_value(ex(0.5)), InternalError);
+  EXPECT_THROW((void)exact_value(GiNaC::pow(ex(2), numeric(1, 3))), InternalError);
+  EXPECT_EQ(exact_value(1 / (1 + GiNaC::sqrt(ex(2)))).text(), "-1 + sqrt(2)");
+}
+
+TEST(RuleTables, HaveNoOtherSizes) {
+  EXPECT_THROW((void)gauss_legendre(4), InternalError);
+  EXPECT_THROW((void)triangle_rule(4), InternalError);
+  EXPECT_THROW((void)tetrahedron_rule(5), InternalError);
+}
+
+}  // namespace
+}  // namespace elastogen::symgen
