@@ -1,0 +1,75 @@
+#include "symgen/dag/evaluate.h"
+
+namespace elastogen::symgen {
+
+double DoubleArithmetic::power(double base, const cln::cl_RA& exponent) const {
+  return std::pow(base, cln::double_approx(exponent));
+}
+
+double DoubleArithmetic::apply(Function function, double x) const {
+  switch (function) {
+    case Function::log:
+      return std::log(x);
+    case Function::log1p:
+      return std::log1p(x);
+    case Function::log1p_remainder:
+      return x - std::log1p(x);
+    case Function::exp:
+      return std::exp(x);
+    case Function::none:
+      break;
+  }
+  throw InternalError("unknown function in the expression graph");
+}
+
+cln::cl_R ClnArithmetic::from_exact(const ExactNumber& value) const {
+  if (value.is_rational()) return value.rational();
+  return value.to_float(format_);
+}
+
+cln::cl_R ClnArithmetic::from_double(double value) const {
+  if (!std::isfinite(value)) {
+    throw InputError("exact evaluation takes finite numbers only, found " + std::to_string(value));
+  }
+  return cln::cl_float(cln::cl_DF(value), format_);
+}
+
+cln::cl_R ClnArithmetic::power(const Number& base, const cln::cl_RA& exponent) const {
+  if (cln::zerop(base) && cln::minusp(exponent)) {
+    throw OutsideDomain("outside the law's domain: division by zero");
+  }
+  if (cln::denominator(exponent) == 1) return cln::expt(base, cln::numerator(exponent));
+  if (cln::minusp(base)) {
+    throw OutsideDomain("outside the law's domain: root of a negative number");
+  }
+  const cln::cl_F x = cln::cl_float(base, format_);
+  if (cln::zerop(x)) return cln::cl_I(0);
+  return cln::exp(cln::ln(x) * exponent);
+}
+
+cln::cl_R ClnArithmetic::apply(Function function, const Number& x) const {
+  // log1p and its remainder cancel near zero: more digits there. CLN rounds mixed operations to the
+  // shorter operand, so both must be wide.
+  const cln::float_format_t wide = cln::float_format(3 * digits_);
+  const auto logarithm = [&](const Number& argument) -> cln::cl_R {
+    if (!cln::plusp(argument)) {
+      throw OutsideDomain("outside the law's domain: logarithm of a number that is not positive");
+    }
+    return cln::ln(cln::cl_float(argument, wide));
+  };
+  switch (function) {
+    case Function::log:
+      return cln::cl_float(logarithm(x), format_);
+    case Function::log1p:
+      return cln::cl_float(logarithm(1 + cln::cl_float(x, wide)), format_);
+    case Function::log1p_remainder:
+      return cln::cl_float(cln::cl_float(x, wide) - logarithm(1 + cln::cl_float(x, wide)), format_);
+    case Function::exp:
+      return cln::exp(cln::cl_float(x, format_));
+    case Function::none:
+      break;
+  }
+  throw InternalError("unknown function in the expression graph");
+}
+
+}  // namespace elastogen::symgen

@@ -1,0 +1,27 @@
+// From GiNaC to the graph: the last file that sees GiNaC expressions.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <map>
+#include <string>
+
+#include "symgen/dag/dag.h"
+
+namespace elastogen::symgen {
+
+/// What the symbols of a GiNaC expression stand for.
+using SymbolNodes = std::map<GiNaC::ex, NodeId, GiNaC::ex_is_less>;
+
+/// The graph of a GiNaC expression: rationals, square roots of rationals, symbols in `symbols`,
+/// sums, products, powers with rational exponents, log, log1p, log1p_remainder, exp. GiNaC orders
+/// its operands differently from run to run; ours are ordered by their text, so equal input gives
+/// an equal graph.
+/// @throws InternalError  for anything else
+[[nodiscard]] NodeId lower(Dag& dag, const GiNaC::ex& expression, const SymbolNodes& symbols);
+
+/// The exact value of an expression in which every symbol has one.
+[[nodiscard]] ExactNumber exact_value(
+    const GiNaC::ex& expression, const std::map<GiNaC::ex, ExactNumber, GiNaC::ex_is_less>& values);
+
+}  // namespace elastogen::symgen

@@ -1,0 +1,331 @@
+#include "symgen/mechanics/element_graph.h"
+
+#include <optional>
+#include <utility>
+
+#include "runtime/error.h"
+#include "symgen/dag/differentiate.h"
+#include "symgen/dag/lower.h"
+
+namespace elastogen::symgen {
+namespace {
+
+using ExactMatrix = std::vector<std::vector<ExactNumber>>;  // [node][reference coordinate]
+using NodeMatrix = std::vector<std::vector<NodeId>>;
+
+/// Gradients of the shape functions in reference coordinates at a point.
+ExactMatrix shape_gradients(const Element& element, const std::vector<GiNaC::ex>& point) {
+  std::map<GiNaC::ex, ExactNumber, GiNaC::ex_is_less> values;
+  for (int k = 0; k < element.dim; ++k) {
+    values[element.coordinates[k]] = exact_value(point[k], {});
+  }
+  ExactMatrix gradients;
+  for (const GiNaC::ex& shape : element.shape_functions) {
+    std::vector<ExactNumber> row;
+    for (const GiNaC::symbol& coordinate : element.coordinates) {
+      row.push_back(exact_value(shape.diff(coordinate), values));
+    }
+    gradients.push_back(std::move(row));
+  }
+  return gradients;
+}
+
+/// Since the gradients of a partition of unity add up to zero, sum_a c_a U_a may be written with
+/// differences of U only: nodes whose coefficients are opposite at every quadrature point are
+/// paired (the edges of a hexahedron), the others refer to the last node.
+struct Difference {
+  int node, other;
+};
+
+std::vector<Difference> nodal_differences(const std::vector<ExactMatrix>& gradients, int k) {
+  const int num_nodes = static_cast<int>(gradients[0].size());
+  const auto opposite = [&](int a, int b) {
+    for (const ExactMatrix& at_point : gradients) {
+      if (!(at_point[a][k] == -at_point[b][k])) return false;
+    }
+    return true;
+  };
+  const auto vanishes = [&](int a) {
+    for (const ExactMatrix& at_point : gradients) {
+      if (!at_point[a][k].is_zero()) return false;
+    }
+    return true;
+  };
+  std::vector<Difference> differences;
+  std::vector<bool> done(num_nodes, false);
+  for (int a = 0; a < num_nodes; ++a) {
+    if (done[a] || vanishes(a)) continue;
+    int other = num_nodes - 1;
+    for (int b = a + 1; b < num_nodes; ++b) {
+      if (!done[b] && opposite(a, b)) {
+        other = b;
+        done[b] = true;
+        break;
+      }
+    }
+    done[a] = true;
+    if (other != a) differences.push_back({a, other});
+  }
+  return differences;
+}
+
+/// Builds the parts of the graph that belong to one quadrature point after the other.
+class Builder {
+ public:
+  Builder(const Element& element, const Quadrature& quadrature, Geometry geometry)
+      : element_(element), quadrature_(quadrature), geometry_(geometry) {
+    for (const std::vector<GiNaC::ex>& point : quadrature.points) {
+      gradients_.push_back(shape_gradients(element, point));
+    }
+    for (int k = 0; k < element.dim; ++k) {
+      differences_.push_back(nodal_differences(gradients_, k));
+    }
+  }
+
+  void add_inputs(const Law& law) {
+    static const char* const component[] = {"x", "y", "z"};
+    for (const Parameter& parameter : law.parameters) {
+      graph_.parameters.push_back(graph_.dag.symbol(parameter.name, Stage::material));
+    }
+    const auto add = [&](std::vector<NodeId>& nodes, const std::string& letter, Stage stage) {
+      for (int a = 0; a < element_.num_nodes(); ++a) {
+        for (int i = 0; i < element_.dim; ++i) {
+          nodes.push_back(graph_.dag.symbol(letter + std::to_string(a) + component[i], stage));
+        }
+      }
+    };
+    add(graph_.positions, "X", Stage::rest);
+    add(graph_.displacement, "U", Stage::state);
+    add(graph_.direction, "V", Stage::direction);
+  }
+
+  void add_energies(const Law& law, const EnergyDensity& energy) {
+    graph_.energies.resize(energy.terms.size());
+    for (int g = 0; g < quadrature_.num_points(); ++g) {
+      const NodeMatrix jacobian = jacobian_at(g);
+      const NodeId determinant = determinant_of(jacobian);
+      graph_.determinants.push_back(determinant);
+      const NodeMatrix gradient =
+          matrix_product(reference_gradient(graph_.displacement, g), inverse_of(jacobian));
+
+      SymbolNodes symbols;
+      for (std::size_t p = 0; p < law.parameters.size(); ++p) {
+        symbols[law.parameters[p].symbol] = graph_.parameters[p];
+      }
+      for (int i = 0; i < element_.dim; ++i) {
+        for (int j = 0; j < element_.dim; ++j) {
+          symbols[energy.gradient[i * element_.dim + j]] = gradient[i][j];
+        }
+      }
+      for (const Definition& definition : energy.definitions) {
+        symbols[definition.symbol] = lower(graph_.dag, definition.value, symbols);
+      }
+      const NumberId weight = graph_.dag.numbers().intern(exact_value(quadrature_.weights[g], {}));
+      for (std::size_t l = 0; l < energy.terms.size(); ++l) {
+        graph_.energies[l].push_back(
+            weighted(lower(graph_.dag, energy.terms[l], symbols), determinant, weight));
+      }
+    }
+  }
+
+  void add_nodal_volumes() {
+    const Quadrature& rule = richest_quadrature(element_.name);
+    Builder rich(element_, rule, geometry_);
+    rich.graph_.dag = std::move(graph_.dag);
+    rich.graph_.positions = graph_.positions;
+    NumberPool& numbers = rich.graph_.dag.numbers();
+    std::vector<std::vector<Operand>> terms(element_.num_nodes());
+    for (int g = 0; g < rule.num_points(); ++g) {
+      const NodeId determinant = determinant_of_point(rich, g);
+      std::map<GiNaC::ex, ExactNumber, GiNaC::ex_is_less> values;
+      for (int k = 0; k < element_.dim; ++k) {
+        values[element_.coordinates[k]] = exact_value(rule.points[g][k], {});
+      }
+      const ExactNumber weight = exact_value(rule.weights[g], {});
+      for (int a = 0; a < element_.num_nodes(); ++a) {
+        const ExactNumber shape = exact_value(element_.shape_functions[a], values);
+        terms[a].push_back({determinant, numbers.intern(weight * shape)});
+      }
+    }
+    for (std::vector<Operand>& sum : terms) {
+      graph_.nodal_volumes.push_back(rich.graph_.dag.sum(std::move(sum)));
+    }
+    graph_.dag = std::move(rich.graph_.dag);
+  }
+
+  ElementGraph take() { return std::move(graph_); }
+
+ private:
+  static NodeId determinant_of_point(Builder& builder, int g) {
+    return builder.determinant_of(builder.jacobian_at(g));
+  }
+
+  /// [i][k] = sum_a field_ai d Lambda_a / d xi_k.
+  NodeMatrix reference_gradient(const std::vector<NodeId>& field, int g) {
+    const int dim = element_.dim;
+    Dag& dag = graph_.dag;
+    NodeMatrix result(dim, std::vector<NodeId>(dim));
+    for (int i = 0; i < dim; ++i) {
+      for (int k = 0; k < dim; ++k) {
+        std::vector<Operand> terms;
+        for (const auto& [node, other] : differences_[k]) {
+          const NumberId coefficient = dag.numbers().intern(gradients_[g][node][k]);
+          if (coefficient == NumberPool::zero) continue;
+          terms.push_back(
+              {dag.subtract(field[node * dim + i], field[other * dim + i]), coefficient});
+        }
+        result[i][k] = dag.sum(std::move(terms));
+      }
+    }
+    return result;
+  }
+
+  NodeMatrix jacobian_at(int g) {
+    if (geometry_ == Geometry::general) return reference_gradient(graph_.positions, g);
+    const int dim = element_.dim;
+    NodeMatrix jacobian(dim, std::vector<NodeId>(dim, graph_.dag.number(NumberPool::zero)));
+    for (int k = 0; k < dim; ++k) jacobian[k][k] = half_edge(k);
+    return jacobian;
+  }
+
+  /// A box's Jacobian is diagonal: edge length over reference edge length.
+  NodeId half_edge(int k) {
+    Dag& dag = graph_.dag;
+    for (int b = 1; b < element_.num_nodes(); ++b) {
+      bool is_edge = true;
+      for (int i = 0; i < element_.dim; ++i) {
+        const bool differs = !(element_.nodes[b][i] - element_.nodes[0][i]).is_zero();
+        if (differs != (i == k)) is_edge = false;
+      }
+      if (!is_edge) continue;
+      const ExactNumber length = exact_value(element_.nodes[b][k] - element_.nodes[0][k], {});
+      const int dim = element_.dim;
+      return dag.scale(dag.numbers().intern(length.inverse()),
+                       dag.subtract(graph_.positions[b * dim + k], graph_.positions[k]));
+    }
+    throw InternalError("element " + element_.name + " has no box variant");
+  }
+
+  NodeId minor_of(const NodeMatrix& m, int row, int column) {
+    Dag& dag = graph_.dag;
+    if (m.size() == 1) return dag.number(NumberPool::one);
+    if (m.size() == 2) return m[1 - row][1 - column];
+    // cyclic indices carry the sign of the cofactor
+    const int r1 = (row + 1) % 3, r2 = (row + 2) % 3;
+    const int c1 = (column + 1) % 3, c2 = (column + 2) % 3;
+    return dag.subtract(dag.multiply(m[r1][c1], m[r2][c2]), dag.multiply(m[r1][c2], m[r2][c1]));
+  }
+
+  NodeId cofactor_of(const NodeMatrix& m, int row, int column) {
+    const NodeId minor = minor_of(m, row, column);
+    const bool negative = m.size() == 2 && (row + column) % 2 == 1;
+    return negative ? graph_.dag.scale(NumberPool::minus_one, minor) : minor;
+  }
+
+  NodeId determinant_of(const NodeMatrix& m) {
+    std::vector<Operand> terms;
+    for (std::size_t j = 0; j < m.size(); ++j) {
+      terms.push_back(
+          {graph_.dag.multiply(m[0][j], cofactor_of(m, 0, static_cast<int>(j))), NumberPool::one});
+    }
+    return graph_.dag.sum(std::move(terms));
+  }
+
+  NodeMatrix inverse_of(const NodeMatrix& m) {
+    Dag& dag = graph_.dag;
+    NodeMatrix inverse(m.size(), std::vector<NodeId>(m.size()));
+    if (geometry_ == Geometry::box) {
+      for (std::size_t i = 0; i < m.size(); ++i) {
+        for (std::size_t j = 0; j < m.size(); ++j) {
+          inverse[i][j] = i == j ? dag.inverse(m[i][i]) : dag.number(NumberPool::zero);
+        }
+      }
+      return inverse;
+    }
+    const NodeId reciprocal = dag.inverse(determinant_of(m));
+    for (std::size_t i = 0; i < m.size(); ++i) {
+      for (std::size_t j = 0; j < m.size(); ++j) {
+        inverse[i][j] =
+            dag.multiply(reciprocal, cofactor_of(m, static_cast<int>(j), static_cast<int>(i)));
+      }
+    }
+    return inverse;
+  }
+
+  NodeMatrix matrix_product(const NodeMatrix& a, const NodeMatrix& b) {
+    NodeMatrix result(a.size(), std::vector<NodeId>(b[0].size()));
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      for (std::size_t j = 0; j < b[0].size(); ++j) {
+        std::vector<Operand> terms;
+        for (std::size_t k = 0; k < b.size(); ++k) {
+          terms.push_back({graph_.dag.multiply(a[i][k], b[k][j]), NumberPool::one});
+        }
+        result[i][j] = graph_.dag.sum(std::move(terms));
+      }
+    }
+    return result;
+  }
+
+  /// weight * determinant * density, the determinant joining the parameters of each summand: they
+  /// make one grouped constant.
+  NodeId weighted(NodeId density, NodeId determinant, NumberId weight) {
+    Dag& dag = graph_.dag;
+    const auto times_determinant = [&](NodeId summand) {
+      const Node node = dag[summand];
+      std::vector<Operand> factors = node.operands;
+      if (node.kind != Kind::product) factors = {{summand, NumberPool::one}};
+      factors.push_back({determinant, NumberPool::one});
+      return dag.product(std::move(factors));
+    };
+    const Node node = dag[density];
+    if (node.kind != Kind::sum) return dag.scale(weight, times_determinant(density));
+    std::vector<Operand> terms;
+    if (node.value != NumberPool::zero) {
+      terms.push_back({determinant, dag.numbers().multiply(node.value, weight)});
+    }
+    for (const Operand& operand : node.operands) {
+      terms.push_back(
+          {times_determinant(operand.node), dag.numbers().multiply(operand.factor, weight)});
+    }
+    return dag.sum(std::move(terms));
+  }
+
+  const Element& element_;
+  const Quadrature& quadrature_;
+  Geometry geometry_;
+  std::vector<ExactMatrix> gradients_;                // [point]
+  std::vector<std::vector<Difference>> differences_;  // [reference coordinate]
+  ElementGraph graph_;
+};
+
+}  // namespace
+
+std::string geometry_name(Geometry geometry) {
+  return geometry == Geometry::box ? "box" : "general";
+}
+
+ElementGraph build_element_graph(const Law& law, const EnergyDensity& energy,
+                                 const Element& element, const Quadrature& quadrature,
+                                 Geometry geometry) {
+  Builder builder(element, quadrature, geometry);
+  builder.add_inputs(law);
+  builder.add_energies(law, energy);
+  builder.add_nodal_volumes();
+  return builder.take();
+}
+
+std::vector<NodeId> forces_of(ElementGraph& graph, NodeId energy) {
+  std::vector<NodeId> forces = gradient(graph.dag, energy, graph.displacement);
+  for (NodeId& force : forces) force = graph.dag.scale(NumberPool::minus_one, force);
+  return forces;
+}
+
+std::vector<NodeId> product_of(ElementGraph& graph, const std::vector<NodeId>& forces) {
+  std::unordered_map<NodeId, NodeId> direction_of;
+  for (std::size_t k = 0; k < graph.displacement.size(); ++k) {
+    direction_of[graph.displacement[k]] = graph.direction[k];
+  }
+  return directional_derivative(graph.dag, forces, direction_of);
+}
+
+}  // namespace elastogen::symgen

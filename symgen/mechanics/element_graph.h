@@ -1,0 +1,47 @@
+// One element's energies as a graph of positions, displacements and parameters, and what follows
+// from them by differentiation.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "symgen/dag/dag.h"
+#include "symgen/element/element.h"
+#include "symgen/mechanics/energy.h"
+#include "symgen/quadrature/quadrature.h"
+
+namespace elastogen::symgen {
+
+/// What is known of an element's rest shape: any, or an axis-aligned rectangular box.
+enum class Geometry { general, box };
+[[nodiscard]] std::string geometry_name(Geometry geometry);
+
+/// Energies of one element. With N nodes and d dimensions, node a and component i stand at a*d+i.
+struct ElementGraph {
+  Dag dag;
+  std::vector<NodeId> positions;     ///< rest positions X [m], stage rest
+  std::vector<NodeId> parameters;    ///< the law's, stage material
+  std::vector<NodeId> displacement;  ///< U [m], stage state
+  std::vector<NodeId> direction;     ///< V, stage direction
+  /// energies[l][g]: law term l at quadrature point g, weight and det J included [J].
+  std::vector<std::vector<NodeId>> energies;
+  std::vector<NodeId> nodal_volumes;  ///< integral of shape function a over the rest shape [m^d]
+  std::vector<NodeId> determinants;   ///< det J at each quadrature point
+};
+
+/// Displacement gradients are taken from differences of nodal displacements, so that large
+/// translations cost no digits.
+/// Source: H = (sum_a U_a (x) grad_xi Lambda_a) J^-1, thesis eq. 3.22; W_E = sum_g w_g W(H_g) det
+/// J, thesis eq. 3.40.
+[[nodiscard]] ElementGraph build_element_graph(const Law& law, const EnergyDensity& energy,
+                                               const Element& element, const Quadrature& quadrature,
+                                               Geometry geometry);
+
+/// Nodal forces f = -dW/dU of a sum of energies, [a*d+i].
+[[nodiscard]] std::vector<NodeId> forces_of(ElementGraph& graph, NodeId energy);
+
+/// Product (df/dU) V of forces with the direction, [a*d+i].
+[[nodiscard]] std::vector<NodeId> product_of(ElementGraph& graph,
+                                             const std::vector<NodeId>& forces);
+
+}  // namespace elastogen::symgen
