@@ -1,0 +1,393 @@
+#include "symgen/emit/print_cpp.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runtime/error.h"
+#include "symgen/emit/expression_printer.h"
+#include "symgen/emit/source_writer.h"
+#include "symgen/version.h"
+
+namespace elastogen::symgen {
+namespace {
+
+class CppPrinter : public ExpressionPrinter {
+ public:
+  using ExpressionPrinter::ExpressionPrinter;
+
+ protected:
+  std::string number(double value) const override {
+    return fmt::format("S({})", fmt::format("{:.17g}", value));
+  }
+  std::string tabulated_number(int entry) const override {
+    return fmt::format("S(row.number[{}])", entry);
+  }
+  std::string input(Slot slot, int index, int entry) const override {
+    const std::string at = entry >= 0 ? fmt::format("row.index[{}]", entry) : std::to_string(index);
+    return fmt::format("{}[{}]", array_of(slot), at);
+  }
+  std::string output(int index, int entry) const override {
+    return entry >= 0 ? fmt::format("out[row.index[{}]]", entry) : fmt::format("out[{}]", index);
+  }
+  std::string declaration(const std::string& name) const override { return "const V " + name; }
+  std::string function_call(Function function, const std::string& argument) const override {
+    return fmt::format("kernel::{}({})", name_of(function), argument);
+  }
+  std::string root(const std::string& argument, long degree) const override {
+    return fmt::format("kernel::root({}, {})", argument, degree);
+  }
+  std::string margin_update(const std::string& value) const override {
+    return fmt::format("kernel::keep_smaller<V>(margin, {});", value);
+  }
+
+ private:
+  static const char* array_of(Slot slot) {
+    switch (slot) {
+      case Slot::position:
+        return "x";
+      case Slot::parameter:
+        return "p";
+      case Slot::constant:
+        return "c";
+      case Slot::displacement:
+        return "u";
+      case Slot::direction:
+        return "v";
+      case Slot::state:
+        return "s";
+      case Slot::number:
+      case Slot::temporary:
+        break;
+    }
+    throw InternalError("not an input array");
+  }
+  static const char* name_of(Function function) {
+    switch (function) {
+      case Function::log:
+        return "log";
+      case Function::log1p:
+        return "log1p";
+      case Function::log1p_remainder:
+        return "log1p_remainder";
+      case Function::exp:
+        return "exp";
+      case Function::none:
+        break;
+    }
+    throw InternalError("unknown function");
+  }
+};
+
+constexpr const char* kernel_parameters =
+    "([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out, "
+    "[[maybe_unused]] V& margin";
+
+void open_body(SourceWriter& out) {
+  out.indent();
+  out.line("using S [[maybe_unused]] = kernel::Scalar<V>;");
+  out.line("[[maybe_unused]] const auto& [x, p, c, u, v, s] = in;");
+}
+
+void close_body(SourceWriter& out) {
+  out.outdent();
+  out.line("}");
+  out.line();
+}
+
+/// The rows of a fragment that stands for several.
+void print_rows(const FragmentGroup& group, const std::string& name, const NumberPool& numbers,
+                SourceWriter& out) {
+  const std::size_t num_numbers = group.numbers[0].size(), num_indices = group.indices[0].size();
+  out.line(fmt::format("struct {}_row {{", name));
+  out.indent();
+  if (num_numbers > 0) out.line(fmt::format("double number[{}];", num_numbers));
+  if (num_indices > 0) out.line(fmt::format("int index[{}];", num_indices));
+  out.outdent();
+  out.line("};");
+  out.line(fmt::format("inline constexpr {0}_row {0}_rows[{1}] = {{", name, group.num_members()));
+  out.indent();
+  for (std::size_t m = 0; m < group.num_members(); ++m) {
+    std::string row;
+    if (num_numbers > 0) {
+      row += "{";
+      for (std::size_t k = 0; k < num_numbers; ++k) {
+        row += fmt::format("{}{:.17g}", k > 0 ? ", " : "", numbers.value(group.numbers[m][k]));
+      }
+      row += "}";
+    }
+    if (num_indices > 0) {
+      row += row.empty() ? "{" : ", {";
+      for (std::size_t k = 0; k < num_indices; ++k) {
+        row += fmt::format("{}{}", k > 0 ? ", " : "", group.indices[m][k]);
+      }
+      row += "}";
+    }
+    out.line("{" + row + "},");
+  }
+  out.outdent();
+  out.line("};");
+}
+
+/// One operation: a function, or one per fragment group and one that calls them.
+void print_operation(const OperationKernels& operation, const Dag& dag, SourceWriter& out) {
+  const CppPrinter printer(dag.numbers());
+  const std::vector<FragmentGroup> groups = group_fragments(operation.fragments);
+  const bool is_whole = operation.fragments.size() == 1;
+  long flops = 0;
+  for (const Fragment& fragment : operation.fragments) flops += fragment.operations.flops();
+  const std::string summary =
+      is_whole ? fmt::format("/// {}: {} flops per element", operation.name, flops)
+               : fmt::format("/// {}: {} flops per element, {} fragments, {} of them different",
+                             operation.name, flops, operation.fragments.size(), groups.size());
+
+  if (is_whole) {
+    const Fragment& fragment = operation.fragments[0];
+    out.line(summary);
+    out.line("template <class V>");
+    out.line(fmt::format("inline void {}{}) {{", operation.name, kernel_parameters));
+    open_body(out);
+    std::vector<bool> written(static_cast<std::size_t>(operation.num_outputs), false);
+    for (const Output& each : fragment.outputs) written[each.index] = true;
+    for (std::size_t k = 0; k < written.size(); ++k) {
+      if (!written[k]) out.line(fmt::format("out[{}] = V{{}};", k));
+    }
+    printer.print(fragment, false, out);
+    close_body(out);
+    return;
+  }
+  std::vector<std::string> calls;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const std::string name = fmt::format("{}_{}", operation.name, i);
+    const bool has_rows = groups[i].num_members() > 1;
+    if (has_rows) print_rows(groups[i], name, dag.numbers(), out);
+    out.line("template <class V>");
+    out.line(fmt::format("[[gnu::noinline]] void {}{}{}) {{", name, kernel_parameters,
+                         has_rows ? fmt::format(", const {}_row& row", name) : ""));
+    open_body(out);
+    printer.print(groups[i].shape, true, out);
+    close_body(out);
+    calls.push_back(has_rows ? fmt::format("for (const auto& row : {0}_rows) {0}<V>(in, out, "
+                                           "margin, row);",
+                                           name)
+                             : fmt::format("{}<V>(in, out, margin);", name));
+  }
+  out.line(summary);
+  out.line("template <class V>");
+  out.line(fmt::format("inline void {}{}) {{", operation.name, kernel_parameters));
+  out.indent();
+  out.line(fmt::format("for (int k = 0; k < {}; ++k) out[k] = V{{}};", operation.num_outputs));
+  for (const std::string& call : calls) out.line(call);
+  close_body(out);
+}
+
+/// K column by column: the state once, then the second stage of the product along each unit
+/// direction.
+void print_stiffness(const VariantKernels& kernels, SourceWriter& out) {
+  const int num_dofs = kernels.num_nodes * kernels.dim;
+  out.line("/// stiffness: linearize once, apply along every unit direction; K = -product");
+  out.line("template <class V>");
+  out.line(fmt::format("inline void stiffness{}) {{", kernel_parameters));
+  out.indent();
+  out.line(fmt::format("V state[{}];", std::max(kernels.num_state, 1)));
+  out.line("linearize<V>(in, state, margin);");
+  out.line(fmt::format("V direction[{}] = {{}};", num_dofs));
+  out.line(fmt::format("V column[{}];", num_dofs));
+  out.line("const kernel::Inputs<V> stage{in.x, in.p, in.c, in.u, direction, state};");
+  out.line(fmt::format("for (int j = 0; j < {}; ++j) {{", num_dofs));
+  out.indent();
+  out.line("direction[j] = V{} + kernel::Scalar<V>(1);");
+  out.line("apply<V>(stage, column, margin);");
+  out.line("direction[j] = V{};");
+  out.line(fmt::format("for (int i = 0; i < {0}; ++i) out[i * {0} + j] = -column[i];", num_dofs));
+  out.outdent();
+  out.line("}");
+  close_body(out);
+}
+
+/// Text from a law file as part of a comment: on one line, and not continued by a backslash.
+std::string comment_text(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+    if (c == '\\') c = '/';
+  }
+  return text;
+}
+
+void print_provenance(const Provenance& provenance, const std::vector<VariantReport>& reports,
+                      SourceWriter& out) {
+  out.line(
+      fmt::format("// Generated by elastogen {}. Do not edit: change the law and generate again.",
+                  generator_version));
+  out.line("//");
+  out.line("// association  " + provenance.association);
+  out.line("// law          " + comment_text(provenance.law_title));
+  for (const std::string& term : provenance.law_terms)
+    out.line("//              " + comment_text(term));
+  out.line("//              " + comment_text(provenance.law_source));
+  out.line("// element      " + provenance.element);
+  out.line("// quadrature   " + provenance.quadrature);
+  out.line("// split        " + provenance.split);
+  out.line("// profile      " + provenance.profile);
+  out.line("// hash         " + provenance.hash);
+  out.line("//");
+  out.line(
+      "// per element in double         flops  constants  state  bytes read  written  fragments");
+  for (const VariantReport& report : reports) {
+    for (const OperationReport& operation : report.operations) {
+      out.line(fmt::format("// {:<9}{:<18}{:>7}{:>11}{:>7}{:>12}{:>9}{:>11}", report.geometry,
+                           operation.name, operation.flops, operation.constants, operation.state,
+                           operation.bytes_read, operation.bytes_written, operation.fragments));
+    }
+  }
+}
+
+void set_code_bytes(VariantReport& report, const std::string& name, std::size_t bytes) {
+  for (OperationReport& operation : report.operations) {
+    if (operation.name == name) operation.code_bytes = static_cast<long>(bytes);
+  }
+}
+
+}  // namespace
+
+std::string print_cpp_header(const AssociationId& id, const Provenance& provenance,
+                             const std::vector<VariantKernels>& variants,
+                             std::vector<VariantReport>& reports) {
+  SourceWriter out;
+  print_provenance(provenance, reports, out);
+  out.line("#pragma once");
+  out.line();
+  out.line("#include \"runtime/kernel_support.h\"");
+  out.line();
+  out.line(fmt::format("namespace elastogen::kernels::{} {{", id.identifier()));
+  out.line();
+  out.line(fmt::format("inline constexpr char hash[] = \"{}\";", provenance.hash));
+  out.line(fmt::format("inline constexpr int dim = {};", variants[0].dim));
+  out.line(fmt::format("inline constexpr int num_nodes = {};", variants[0].num_nodes));
+  out.line(fmt::format("inline constexpr int num_points = {};", variants[0].num_points));
+  out.line();
+  for (std::size_t k = 0; k < variants.size(); ++k) {
+    const VariantKernels& kernels = variants[k];
+    const std::string geometry = geometry_name(kernels.geometry);
+    out.line(fmt::format("namespace {} {{", geometry));
+    out.line();
+    out.line(fmt::format("inline constexpr int num_constants = {};", kernels.constants.size()));
+    out.line(fmt::format("inline constexpr int num_state = {};", kernels.num_state));
+    out.line(fmt::format("inline constexpr bool reads_positions = {};", kernels.reads_positions));
+    out.line();
+    for (const OperationKernels& operation : kernels.operations) {
+      const std::size_t before = out.size();
+      print_operation(operation, kernels.dag, out);
+      set_code_bytes(reports[k], operation.name, out.size() - before);
+    }
+    const std::size_t before = out.size();
+    print_stiffness(kernels, out);
+    set_code_bytes(reports[k], "stiffness", out.size() - before);
+    out.line(fmt::format("}}  // namespace {}", geometry));
+    out.line();
+  }
+  out.line(fmt::format("}}  // namespace elastogen::kernels::{}", id.identifier()));
+  return out.take();
+}
+
+std::string print_cpp_registration(const AssociationId& id,
+                                   const std::vector<std::string>& parameter_names,
+                                   const std::vector<std::string>& geometries,
+                                   const Instantiation& what) {
+  struct Entry {
+    const char *name, *num_outputs, *write;
+    bool always;
+  };
+  static const std::vector<Entry> entries = {
+      {"constants", "num_constants", "overwrite", true},
+      {"geometry", "num_nodes + kernels::num_points", "overwrite", true},
+      {"energy", "1", "accumulate", false},
+      {"forces", "num_dofs", "accumulate", false},
+      {"product", "num_dofs", "accumulate_scaled", false},
+      {"linearize", "num_state", "overwrite", false},
+      {"apply", "num_dofs", "accumulate_scaled", false},
+      {"stiffness", "num_dofs * num_dofs", "overwrite", false},
+  };
+  for (const std::string& name : what.operations) {
+    if (std::none_of(entries.begin(), entries.end(),
+                     [&](const Entry& entry) { return name == entry.name; })) {
+      throw InternalError("unknown operation " + name);
+    }
+  }
+  const auto is_wanted = [&what](const Entry& entry) {
+    return entry.always || std::find(what.operations.begin(), what.operations.end(), entry.name) !=
+                               what.operations.end();
+  };
+  SourceWriter out;
+  out.line(fmt::format("// Generated by elastogen {}: compiled kernels of {}.", generator_version,
+                       id.text()));
+  out.line(fmt::format("#include \"{}.h\"", id.identifier()));
+  out.line();
+  out.line("namespace {");
+  out.line();
+  out.line(fmt::format("namespace kernels = elastogen::kernels::{};", id.identifier()));
+  out.line(fmt::format("using S = {};", what.single_precision ? "float" : "double"));
+  out.line(fmt::format("using V = {};", !what.simd              ? "S"
+                                        : what.single_precision ? "elastogen::kernel::FloatPack"
+                                                                : "elastogen::kernel::DoublePack"));
+  out.line("using elastogen::kernel::Write;");
+  out.line("using Arguments = elastogen::KernelArguments<S>;");
+  out.line("[[maybe_unused]] constexpr int num_dofs = kernels::num_nodes * kernels::dim;");
+  out.line();
+  std::string variants;
+  for (const std::string& geometry : geometries) {
+    variants += fmt::format(
+        "{{\"{0}\", kernels::{0}::num_constants, kernels::{0}::num_state, "
+        "kernels::{0}::reads_positions",
+        geometry);
+    for (const Entry& entry : entries) {
+      if (!is_wanted(entry)) {
+        variants += ", nullptr";
+        continue;
+      }
+      variants += fmt::format(", {}_{}", geometry, entry.name);
+      std::string num_outputs = entry.num_outputs;
+      if (num_outputs.starts_with("num_nodes")) num_outputs = "kernels::" + num_outputs;
+      if (num_outputs == "num_constants" || num_outputs == "num_state") {
+        num_outputs = fmt::format("kernels::{}::{}", geometry, num_outputs);
+      }
+      out.line(fmt::format("void {}_{}(const Arguments& arguments) {{", geometry, entry.name));
+      out.indent();
+      out.line(fmt::format("elastogen::kernel::run<V, {}, Write::{}>(", num_outputs, entry.write));
+      out.indent();
+      out.indent();
+      out.line("arguments, [](const auto& in, V* out, V& margin) {");
+      out.indent();
+      out.line(fmt::format("kernels::{}::{}<V>(in, out, margin);", geometry, entry.name));
+      out.outdent();
+      out.line("});");
+      out.outdent();
+      out.outdent();
+      out.outdent();
+      out.line("}");
+    }
+    variants += "}, ";
+  }
+  out.line();
+  std::string names;
+  for (const std::string& name : parameter_names) names += fmt::format("\"{}\", ", name);
+  out.line(fmt::format("constexpr const char* parameter_names[] = {{{}nullptr}};", names));
+  out.line(fmt::format("constexpr elastogen::VariantTable<S> variants[] = {{{}}};",
+                       variants.substr(0, variants.size() - 2)));
+  out.line(
+      fmt::format("constexpr elastogen::KernelTable<S> table = {{elastogen::kernel_abi_version, "
+                  "elastogen::kernel::lanes_of<V>, \"{}\", \"{}\", kernels::hash, "
+                  "kernels::dim, kernels::num_nodes, kernels::num_points, {}, "
+                  "parameter_names, {}, variants}};",
+                  id.text(), id.element, parameter_names.size(), geometries.size()));
+  out.line();
+  out.line("}  // namespace");
+  out.line();
+  out.line(fmt::format("extern \"C\" const elastogen::KernelTable<S>* {}();",
+                       registration_symbol(id, what)));
+  out.line(fmt::format("extern \"C\" const elastogen::KernelTable<S>* {}() {{ return &table; }}",
+                       registration_symbol(id, what)));
+  return out.take();
+}
+
+}  // namespace elastogen::symgen

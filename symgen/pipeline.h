@@ -1,0 +1,134 @@
+// The generator's stages in order. Read this first.
+//
+//   law, element, quadrature          symgen/law, symgen/element, symgen/quadrature
+//     -> energy density W(H)          symgen/mechanics/energy        (GiNaC, definitions not
+//     expanded)
+//     -> lowered expression DAG       symgen/dag/lower               (exact numbers, hash-consed)
+//     -> element energies, forces,    symgen/mechanics/operations    (derivatives on the DAG)
+//        product, linearize/apply
+//     -> factored, common pairs out   symgen/passes/factor, symgen/passes/share_pairs
+//     -> grouped constants            symgen/passes/extract_grouped_constants
+//     -> fragments, scheduled         symgen/passes/split, symgen/passes/schedule
+//     -> C++ text and manifest        symgen/emit
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "symgen/element/element.h"
+#include "symgen/law/law.h"
+#include "symgen/quadrature/quadrature.h"
+
+namespace elastogen::symgen {
+
+/// law x element x quadrature x split, written "stvk-hexa8-q8-lg".
+struct AssociationId {
+  std::string law, element, quadrature, split;
+
+  /// @throws InputError  when the text is not of that form or names an unknown element,
+  ///                     quadrature or split (the law is looked up later)
+  [[nodiscard]] static AssociationId parse(const std::string& text);
+  [[nodiscard]] std::string text() const;        ///< "stvk-hexa8-q8-lg"
+  [[nodiscard]] std::string identifier() const;  ///< "stvk_hexa8_q8_lg"
+  auto operator<=>(const AssociationId&) const = default;
+};
+
+/// "none", "auto", "l", "g", ..., "lgnd": `auto` and the 16 subsets of {l, g, n, d}.
+[[nodiscard]] const std::vector<std::string>& split_names();
+
+/// How grouped constants are chosen.
+enum class Grouping { minimum_cut, algorithm6 };
+
+struct GenerateOptions {
+  std::string profile = "x86-cache";  ///< target profile: fixes beta and the limits of `auto`
+  Grouping grouping = Grouping::minimum_cut;
+  bool stabilise = true;
+};
+
+/// Names of the target profiles.
+[[nodiscard]] const std::vector<std::string>& profile_names();
+
+/// Cost of one operation of one geometry variant.
+struct OperationReport {
+  std::string
+      name;  ///< "energy", "forces", "product", "linearize", "apply", "stiffness", "constants"
+  long flops = 0;     ///< per element; FMA = 2, a division or a function counts as 1 here
+  int constants = 0;  ///< grouped constants read (for `constants`: written)
+  int state = 0;      ///< state numbers read or written
+  long bytes_read =
+      0;  ///< per element in double: positions, constants, state, displacement, direction
+  long bytes_written = 0;
+  int fragments = 0;
+  long code_bytes = 0;  ///< size of the emitted source text of the operation
+};
+
+struct VariantReport {
+  std::string geometry;
+  int num_constants = 0;
+  int num_state = 0;
+  bool reads_positions = false;
+  int constants_algorithm6 = 0;  ///< what the thesis's algorithm 6 would store
+  std::vector<OperationReport> operations;
+};
+
+/// Everything that the generator makes of one association.
+struct GeneratedAssociation {
+  AssociationId id;
+  std::string chosen_split;  ///< for `auto`: the split taken; else id.split
+  std::string split_reason;  ///< why, in a sentence
+  std::string hash;          ///< of law text, association, options, generator version
+  std::string header;        ///< C++ source of the kernel templates, `identifier().h`
+  double seconds = 0;        ///< time that generation took
+  std::vector<VariantReport> variants;
+};
+
+/// Which compiled tables a registration source instantiates.
+struct Instantiation {
+  bool single_precision = false;  ///< float instead of double
+  bool simd = true;               ///< packs of batch_lanes elements; else one element at a time
+  /// Operations beside constants and geometry: subset of {"energy", "forces", "product",
+  /// "linearize", "apply", "stiffness"}; the others' table entries are null.
+  std::vector<std::string> operations;
+};
+
+/// Content hash of what `generate_association` would make; needs no generation.
+[[nodiscard]] std::string association_hash(const AssociationId& id, const Law& law,
+                                           const GenerateOptions& options);
+
+[[nodiscard]] GeneratedAssociation generate_association(const AssociationId& id, const Law& law,
+                                                        const GenerateOptions& options);
+
+/// C++ source that includes `identifier().h`, instantiates its kernels and exports
+///   extern "C" const elastogen::KernelTable<S>*
+///   elastogen_kernels_<identifier>_<f32|f64>_<simd|scalar>();
+[[nodiscard]] std::string registration_source(const AssociationId& id, const Law& law,
+                                              const Instantiation& what);
+
+/// Name of the function that `registration_source` exports.
+[[nodiscard]] std::string registration_symbol(const AssociationId& id, const Instantiation& what);
+
+/// Expression graph of a small association in Graphviz's language.
+[[nodiscard]] std::string dot_graph(const AssociationId& id, const Law& law,
+                                    const GenerateOptions& options, const std::string& operation);
+
+/// Results of one element, numbers as text: 17 digits for double, 40 for CLN.
+struct Evaluation {
+  std::string energy;
+  std::vector<std::string> forces, product;  ///< [a * dim + i]; product empty without a direction
+  std::vector<std::string> stiffness;        ///< [(a * dim + i) * N + b * dim + j]
+  std::string status;                        ///< "ok" or what is wrong
+};
+
+/// Inputs of one element: [a * dim + i]; `direction` may be empty.
+struct ElementCase {
+  std::vector<double> rest_positions, parameters, displacement, direction;
+};
+
+enum class GraphScalar { dag_double, cln };
+
+/// Walks the expression graph without compiling anything. CLN: 60 digits working precision.
+[[nodiscard]] Evaluation evaluate_graph(const AssociationId& id, const Law& law,
+                                        const ElementCase& input, GraphScalar scalar);
+
+}  // namespace elastogen::symgen
