@@ -1,0 +1,77 @@
+// Linear solvers for the tangent, (K + s D) x = b on the free degrees of freedom.
+//
+// K is the model's stiffness about its linearisation point; s >= 0 is the shift that makes an
+// indefinite K positive definite, relative to D = shift_scale(diagonal of K). Constrained degrees
+// of freedom of x are 0.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "runtime/constraints.h"
+#include "runtime/model.h"
+#include "runtime/vector.h"
+
+namespace elastogen {
+
+enum class LinearSolverKind {
+  conjugate_gradient,  ///< on the model's product, preconditioned by the nodes' blocks of K
+  cholesky,            ///< sparse LL^T of the assembled K
+};
+
+struct LinearSolverOptions {
+  LinearSolverKind kind = LinearSolverKind::conjugate_gradient;
+  int max_iterations = 0;  ///< of one conjugate gradient solve; 0: ten per free degree of freedom
+};
+
+/// Outcome of one solve.
+struct LinearSolveReport {
+  bool positive_definite = true;  ///< false: negative curvature met, x is not a solution
+  bool converged = false;         ///< residual below the tolerance asked for
+  int iterations = 0;             ///< of conjugate gradient; 0 for Cholesky
+  double relative_residual = 0;   ///< |b - A x| / |b|; conjugate gradient's own recurrence
+};
+
+/// Seconds spent since construction.
+struct LinearSolverTimes {
+  double assembly = 0;       ///< stiffness, or its diagonal blocks
+  double factorization = 0;  ///< Cholesky, or inverting the blocks
+  double product = 0;        ///< products of conjugate gradient
+  double solve = 0;          ///< substitution; vector work of conjugate gradient
+};
+
+/// One method, bound to a model and constraints that must outlive it.
+class LinearSolver {
+ public:
+  virtual ~LinearSolver() = default;
+
+  /// Takes up the model's linearisation point.
+  virtual void update() = 0;
+
+  /// Sets the shift s for the solves that follow.
+  /// @return false if K + s D is seen not to be positive definite (a factorisation failed); always
+  ///         true for conjugate gradient, which sees it while solving
+  [[nodiscard]] virtual bool set_shift(double shift) = 0;
+
+  /// Solves for x, starting from 0, to |b - A x| <= tolerance * |b| (Cholesky: exactly).
+  /// b is read on the free degrees of freedom only.
+  virtual LinearSolveReport solve(const ConstVectorRef& b, double tolerance, VectorRef x) = 0;
+
+  /// Diagonal of K [N/m] at the last update.
+  [[nodiscard]] virtual const Vector& diagonal() const = 0;
+
+  [[nodiscard]] const LinearSolverTimes& times() const { return times_; }
+
+ protected:
+  LinearSolverTimes times_;
+};
+
+/// D of the shift from the diagonal of K: its absolute values, at least 1e-6 of their mean.
+[[nodiscard]] Vector shift_scale(const Vector& diagonal);
+
+/// @throws InternalError  the model's kernels lack an operation that the method needs
+[[nodiscard]] std::unique_ptr<LinearSolver> make_linear_solver(const LinearSolverOptions& options,
+                                                               Model& model,
+                                                               const Constraints& constraints);
+
+}  // namespace elastogen

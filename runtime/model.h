@@ -1,0 +1,144 @@
+// Model: the elements of a mesh with their kernels and materials, and what simulators ask of them.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "runtime/element_status.h"
+#include "runtime/kernel_abi.h"
+#include "runtime/mesh.h"
+#include "runtime/vector.h"
+
+namespace elastogen {
+
+/// Elements of one mesh block with one association and one material.
+struct ModelPart {
+  std::size_t block = 0;                         ///< index into Mesh::blocks
+  std::vector<std::int32_t> elements;            ///< element indices within the block, from 0
+  const KernelTable<double>* kernels = nullptr;  ///< must outlive the model
+  std::vector<double> parameters;                ///< in the order of kernels->parameter_names
+  double density = 0;                            ///< [kg/m^3], >= 0
+};
+
+/// Indices of a block's elements that lie in a region (an index into Mesh::region_names).
+[[nodiscard]] std::vector<std::int32_t> elements_of_region(const ElementBlock& block,
+                                                           std::int32_t region);
+
+/// How the product (df/dU) V is computed; all agree to rounding.
+enum class TangentProduct {
+  recompute,  ///< from the displacement, by the kernel `product`
+  two_stage,  ///< `linearize` stores state once, `apply` uses it in every product
+  assembled,  ///< `stiffness` is assembled once, every product is one with the sparse matrix
+};
+
+struct ModelOptions {
+  int threads = 0;  ///< OpenMP threads; 0: as many as OpenMP offers and the elements' work pays for
+  TangentProduct tangent_product = TangentProduct::recompute;
+};
+
+/// Elements that are computed by the same kernels: one part and one geometry variant.
+struct GroupSummary {
+  std::string association;  ///< "stvk-hexa8-q8-none"
+  std::string element;      ///< "hexa8"
+  std::string geometry;     ///< "general", "box"
+  std::size_t part = 0;     ///< index into the model's parts
+  std::size_t num_elements = 0;
+  std::size_t num_batches = 0;
+  int lanes = 1;
+  int num_constants = 0;  ///< grouped constants per element
+  int num_state = 0;      ///< state numbers per element, 0 unless the product is two-stage
+  /// Stored per element: connectivity, positions where the kernels read them, grouped constants,
+  /// state; padding of the last batch not counted.
+  std::size_t bytes_per_element = 0;
+};
+
+/// The discretised body.
+///
+/// Displacements, forces and directions are node-major vectors of num_dofs() values (vector.h);
+/// lengths other than that throw InternalError. Results depend on the number of threads (in the
+/// last bits, through the order of summation), never on timing. After construction only the first
+/// call of assemble() allocates, and the first linearize() with TangentProduct::assembled.
+///
+/// A model may be moved but not copied. Its calls share buffers: one at a time per model.
+class Model {
+ public:
+  /// Checks the input, chooses each element's geometry variant ("box" for an axis-aligned box where
+  /// its association has that, else "general"), checks every rest shape and computes grouped
+  /// constants. The mesh is not kept.
+  ///
+  /// @throws InputError  a rest shape that is inverted or degenerate at a quadrature point, a node
+  ///                     number outside the mesh, an element in no part or in two, a node without
+  ///                     elements, kernels for another element, too few parameters, a negative
+  ///                     density
+  /// @throws InternalError  kernels of another ABI version or lane count, or without the
+  ///                        operations `constants` and `geometry_measures`; two_stage without
+  ///                        `linearize` and `apply`
+  Model(const Mesh& mesh, std::span<const ModelPart> parts, const ModelOptions& options = {});
+  ~Model();
+  Model(Model&&) noexcept;
+  Model& operator=(Model&&) noexcept;
+
+  [[nodiscard]] int dim() const;
+  [[nodiscard]] std::size_t num_nodes() const;
+  [[nodiscard]] std::size_t num_dofs() const;  ///< dim * num_nodes
+  [[nodiscard]] std::size_t num_elements() const;
+  [[nodiscard]] int num_threads() const;
+  [[nodiscard]] TangentProduct tangent_product() const;
+
+  /// Elastic energy W(u) [J].
+  [[nodiscard]] double energy(const ConstVectorRef& u);
+
+  /// f += -dW/dU at u [N].
+  void forces(const ConstVectorRef& u, VectorRef f);
+
+  /// Makes u the point about which product(), assemble() and diagonal_blocks() work, until the next
+  /// call. The values are copied. forces() and energy() leave the point alone; at first it is 0.
+  void linearize(const ConstVectorRef& u);
+
+  /// df += scale * (df/dU) v = -scale * K v about the linearisation point.
+  void product(const ConstVectorRef& v, double scale, VectorRef df);
+
+  /// K = d2W/dU2 about the linearisation point [N/m]: symmetric, stored in full, compressed. The
+  /// matrix's pattern is made at the first call; a matrix of that pattern is filled in place.
+  void assemble(Eigen::SparseMatrix<double>& stiffness);
+
+  /// Diagonal blocks of K, one of dim x dim per node: blocks[(node * dim + i) * dim + j].
+  /// Overwritten; resized where needed.
+  void diagonal_blocks(std::vector<double>& blocks);
+
+  /// Whether the last energy(), forces(), linearize(), product(), assemble(), diagonal_blocks() or
+  /// element_energies() found every element's result good; if not, the first bad element.
+  [[nodiscard]] const ElementStatus& status() const;
+
+  /// "element 17 (tet4, nodes 3 8 9 12): ..." for a status that is not good.
+  [[nodiscard]] std::string describe(const ElementStatus& status) const;
+
+  /// Energy of each element at u [J], in mesh order; resized where needed.
+  void element_energies(const ConstVectorRef& u, std::vector<double>& energies);
+
+  /// Rest volume of each element [m^dim], in mesh order.
+  [[nodiscard]] std::span<const double> element_volumes() const;
+
+  /// Rest volume that belongs to each node: integral of its shape functions [m^dim].
+  [[nodiscard]] std::span<const double> nodal_volumes() const;
+
+  /// Lumped mass of each node [kg]: density times nodal volume, summed over its elements.
+  [[nodiscard]] std::span<const double> lumped_mass() const;
+
+  /// The groups in the order they are computed.
+  [[nodiscard]] std::vector<GroupSummary> groups() const;
+
+  /// Association's position in groups() for each element, in mesh order.
+  [[nodiscard]] std::vector<std::int32_t> group_of_elements() const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace elastogen

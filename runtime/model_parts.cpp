@@ -1,0 +1,199 @@
+#include "runtime/model_parts.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "runtime/error.h"
+#include "runtime/rest_geometry.h"
+
+namespace elastogen {
+namespace {
+
+void check_mesh(const Mesh& mesh) {
+  if (mesh.dim != 2 && mesh.dim != 3) {
+    throw InputError(fmt::format("mesh: {} dimensions; must be 2 or 3", mesh.dim));
+  }
+  if (mesh.num_elements() == 0) throw InputError("mesh: it has no elements");
+  if (mesh.positions.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
+    throw InputError(
+        fmt::format("mesh: {} nodes are more than 32-bit indices can number", mesh.num_nodes()));
+  }
+  for (std::size_t k = 0; k < mesh.positions.size(); ++k) {
+    if (!std::isfinite(mesh.positions[k])) {
+      throw InputError(
+          fmt::format("mesh: node {}: component {} of its position is {}; must be finite",
+                      k / static_cast<std::size_t>(mesh.dim),
+                      k % static_cast<std::size_t>(mesh.dim), mesh.positions[k]));
+    }
+  }
+  std::vector<bool> used(mesh.num_nodes(), false);
+  std::size_t first = 0;
+  for (const ElementBlock& block : mesh.blocks) {
+    const std::size_t n = static_cast<std::size_t>(block.nodes_per_element);
+    if (block.nodes.size() != n * block.num_elements()) {
+      throw InternalError(fmt::format("block of {}: {} node numbers for {} elements of {} nodes",
+                                      block.element, block.nodes.size(), block.num_elements(), n));
+    }
+    for (std::size_t k = 0; k < block.nodes.size(); ++k) {
+      const std::int32_t node = block.nodes[k];
+      if (node < 0 || static_cast<std::size_t>(node) >= mesh.num_nodes()) {
+        throw InputError(
+            fmt::format("element {} ({}): node number {} is outside the mesh; must be in 0 ... {}",
+                        first + k / n, block.element, node, mesh.num_nodes() - 1));
+      }
+      used[static_cast<std::size_t>(node)] = true;
+    }
+    first += block.num_elements();
+  }
+  for (std::size_t node = 0; node < used.size(); ++node) {
+    if (used[node]) continue;
+    throw InputError(fmt::format(
+        "mesh: node {} belongs to no element, so nothing holds it; remove it from the mesh", node));
+  }
+}
+
+void check_table(const KernelTable<double>& table, TangentProduct tangent_product) {
+  const auto fail = [&](const std::string& what) {
+    throw InternalError(fmt::format("kernels of {}: {}", table.association, what));
+  };
+  if (table.abi_version != kernel_abi_version) {
+    fail(fmt::format("made for ABI version {}, this runtime has {}; generate them again",
+                     table.abi_version, kernel_abi_version));
+  }
+  if (table.lanes != 1 && table.lanes != batch_lanes<double>) {
+    fail(fmt::format("{} lanes; must be 1 or {}", table.lanes, batch_lanes<double>));
+  }
+  if (find_variant(table, "general") == nullptr) fail("no variant 'general'");
+  for (std::int32_t v = 0; v < table.num_variants; ++v) {
+    const VariantTable<double>& variant = table.variants[v];
+    if (variant.constants == nullptr || variant.geometry_measures == nullptr) {
+      fail(fmt::format("variant '{}' lacks constants or geometry_measures", variant.geometry));
+    }
+    if (tangent_product == TangentProduct::two_stage &&
+        (variant.linearize == nullptr || variant.apply == nullptr)) {
+      fail(fmt::format("variant '{}' lacks linearize or apply, which the two-stage product needs",
+                       variant.geometry));
+    }
+  }
+}
+
+void check_part(const Mesh& mesh, const ModelPart& part, std::size_t number,
+                TangentProduct tangent_product) {
+  if (part.kernels == nullptr || part.block >= mesh.blocks.size()) {
+    throw InternalError(fmt::format("part {}: no kernels, or no such block", number));
+  }
+  const KernelTable<double>& table = *part.kernels;
+  check_table(table, tangent_product);
+  const ElementBlock& block = mesh.blocks[part.block];
+  if (block.element != table.element || block.nodes_per_element != table.num_nodes ||
+      mesh.dim != table.dim) {
+    throw InputError(fmt::format(
+        "part {}: its elements are {} with {} nodes in {} dimensions, but association {} is for {} "
+        "with {} nodes in {} dimensions; choose an association of the elements' type",
+        number, block.element, block.nodes_per_element, mesh.dim, table.association, table.element,
+        table.num_nodes, table.dim));
+  }
+  if (part.parameters.size() != static_cast<std::size_t>(table.num_parameters)) {
+    throw InputError(fmt::format("part {}: {} parameters given, association {} takes {}", number,
+                                 part.parameters.size(), table.association, table.num_parameters));
+  }
+  for (std::size_t k = 0; k < part.parameters.size(); ++k) {
+    if (!std::isfinite(part.parameters[k])) {
+      throw InputError(fmt::format("part {}: parameter {} = {}; must be finite", number,
+                                   table.parameter_names[k], part.parameters[k]));
+    }
+  }
+  if (!std::isfinite(part.density) || part.density < 0) {
+    throw InputError(fmt::format("part {}: density {} kg/m^3; must be finite and not negative",
+                                 number, part.density));
+  }
+}
+
+// Every element must be in exactly one part.
+void check_cover(const Mesh& mesh, std::span<const ModelPart> parts) {
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::size_t first = 0;
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    const ElementBlock& block = mesh.blocks[b];
+    std::vector<std::size_t> owner(block.num_elements(), none);
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      if (parts[p].block != b) continue;
+      for (const std::int32_t e : parts[p].elements) {
+        if (e < 0 || static_cast<std::size_t>(e) >= block.num_elements()) {
+          throw InternalError(fmt::format("part {}: no element {} in block {}", p, e, b));
+        }
+        std::size_t& o = owner[static_cast<std::size_t>(e)];
+        if (o != none) {
+          throw InputError(fmt::format("element {} ({}) is in parts {} and {}; must be in one",
+                                       first + static_cast<std::size_t>(e), block.element, o, p));
+        }
+        o = p;
+      }
+    }
+    for (std::size_t e = 0; e < owner.size(); ++e) {
+      if (owner[e] != none) continue;
+      throw InputError(fmt::format("element {} ({}) has no material and association; give it one",
+                                   first + e, block.element));
+    }
+    first += block.num_elements();
+  }
+}
+
+}  // namespace
+
+std::vector<std::int32_t> elements_of_region(const ElementBlock& block, std::int32_t region) {
+  std::vector<std::int32_t> elements;
+  for (std::size_t e = 0; e < block.num_elements(); ++e) {
+    if (block.region[e] == region) elements.push_back(static_cast<std::int32_t>(e));
+  }
+  return elements;
+}
+
+std::vector<ElementGroup> make_element_groups(const Mesh& mesh, std::span<const ModelPart> parts,
+                                              TangentProduct tangent_product) {
+  check_mesh(mesh);
+  for (std::size_t p = 0; p < parts.size(); ++p) check_part(mesh, parts[p], p, tangent_product);
+  check_cover(mesh, parts);
+
+  std::vector<std::size_t> first_element(mesh.blocks.size(), 0);
+  for (std::size_t b = 1; b < mesh.blocks.size(); ++b) {
+    first_element[b] = first_element[b - 1] + mesh.blocks[b - 1].num_elements();
+  }
+  std::vector<ElementGroup> groups;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const ModelPart& part = parts[p];
+    const ElementBlock& block = mesh.blocks[part.block];
+    const VariantTable<double>* box = find_variant(*part.kernels, "box");
+    std::vector<std::int32_t> boxes;
+    std::vector<std::int32_t> others;
+    for (const std::int32_t e : part.elements) {
+      const bool is_box =
+          box != nullptr && is_axis_aligned_box(mesh, block, static_cast<std::size_t>(e));
+      (is_box ? boxes : others).push_back(e);
+    }
+    ElementGroupSource source{p,
+                              part.block,
+                              first_element[part.block],
+                              {},
+                              part.kernels,
+                              nullptr,
+                              part.parameters,
+                              part.density};
+    if (!boxes.empty()) {
+      source.elements = boxes;
+      source.kernels = box;
+      groups.push_back(make_element_group(mesh, source));
+    }
+    if (!others.empty()) {
+      source.elements = others;
+      source.kernels = find_variant(*part.kernels, "general");
+      groups.push_back(make_element_group(mesh, source));
+    }
+  }
+  return groups;
+}
+
+}  // namespace elastogen

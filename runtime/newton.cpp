@@ -1,0 +1,312 @@
+#include "runtime/newton.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "runtime/error.h"
+#include "runtime/stopwatch.h"
+#include "runtime/total_potential.h"
+
+namespace elastogen {
+namespace {
+
+constexpr double first_shift = 1e-4;   // smaller shifts hardly change the tangent
+constexpr double largest_shift = 1e4;  // beyond, steps are too small to be of use
+constexpr double shift_factor = 10;
+constexpr double loosest_forcing = 0.1;
+constexpr double forcing_factor = 0.9;  // gamma of Eisenstat & Walker, choice 2
+
+void check_options(const NewtonOptions& options) {
+  if (!(options.tolerance > 0 && options.tolerance < 1)) {
+    throw InputError(
+        fmt::format("Newton: tolerance = {}; must be between 0 and 1", options.tolerance));
+  }
+  if (options.max_iterations < 1 || options.load_steps < 1 || options.max_halvings < 0) {
+    throw InputError(
+        fmt::format("Newton: max_iterations = {}, load_steps = {}, max_halvings = {}; "
+                    "must be at least 1, 1 and 0",
+                    options.max_iterations, options.load_steps, options.max_halvings));
+  }
+}
+
+// `moved`: one Newton step was taken. `failed` may go better with a smaller load step, `stopped`
+// may not.
+enum class StepOutcome { moved, converged, failed, stopped, interrupted };
+
+class StaticSolver {
+ public:
+  StaticSolver(Model& model, const Constraints& constraints, const ConstVectorRef& load,
+               const NewtonOptions& options)
+      : model_(model),
+        constraints_(constraints),
+        options_(options),
+        potential_(model, constraints, load),
+        solver_(make_linear_solver(options.linear_solver, model, constraints)),
+        has_load_(load.squaredNorm() > 0) {}
+
+  void run(Vector& u);
+  // Once, after run().
+  [[nodiscard]] NewtonResult result();
+
+ private:
+  StepOutcome solve_load_step(double factor);
+  bool find_direction(double forcing, bool has_gap);
+  StepOutcome take_step(bool has_gap);
+  bool grow_shift();
+  double forcing_term(double threshold);
+  double reference() const;
+  double rounding() const;
+  bool report(double factor, double step, int linear_iterations);
+
+  Model& model_;
+  const Constraints& constraints_;
+  const NewtonOptions& options_;
+  TotalPotential potential_;
+  std::unique_ptr<LinearSolver> solver_;
+  bool has_load_;
+  StaticState state_, trial_;
+  Vector start_;  // displacement at the start of the solve
+  Vector gap_;    // motion of constrained degrees of freedom still to be made
+  Vector right_side_, direction_;
+  double start_residual_ = 0;
+  double previous_residual_ = 0;  // of the Newton iteration before, 0 if there is none
+  double previous_forcing_ = 0;
+  double shift_ = 0;
+  double step_ = 1;
+  std::string reason_;
+  NewtonResult result_;
+};
+
+// What |r| is compared with: the load on the free degrees of freedom and the reactions.
+double StaticSolver::reference() const {
+  const int threads = model_.num_threads();
+  Vector free_load = potential_.load();
+  constraints_.project(free_load);
+  Vector reactions = potential_.load() + state_.forces;
+  constraints_.project_constrained(reactions);
+  const double largest = std::max(norm(free_load, threads), norm(reactions, threads));
+  // A body released from a deformed start ends without load or reaction.
+  return has_load_ || constraints_.has_motion() ? largest : std::max(largest, start_residual_);
+}
+
+double StaticSolver::rounding() const {
+  return 4 * std::numeric_limits<double>::epsilon() *
+         solver_->diagonal().cwiseProduct(state_.u).norm();
+}
+
+// Choice 2 of Eisenstat & Walker with their safeguards; never tighter than the end asks for.
+double StaticSolver::forcing_term(double threshold) {
+  double forcing = loosest_forcing;
+  if (previous_residual_ > 0) {
+    const double ratio = state_.residual_norm / previous_residual_;
+    forcing = forcing_factor * ratio * ratio;
+    const double safeguard = forcing_factor * previous_forcing_ * previous_forcing_;
+    if (safeguard > 0.1) forcing = std::max(forcing, safeguard);
+  }
+  forcing = std::min(forcing, loosest_forcing);
+  if (state_.residual_norm > 0) {
+    forcing = std::max(forcing, std::min(loosest_forcing, 0.5 * threshold / state_.residual_norm));
+  }
+  previous_forcing_ = forcing;
+  previous_residual_ = state_.residual_norm;
+  return forcing;
+}
+
+bool StaticSolver::grow_shift() {
+  shift_ = std::max(first_shift, shift_ * shift_factor);
+  if (shift_ <= largest_shift) return true;
+  reason_ = "the tangent is not positive definite even with the largest diagonal shift";
+  return false;
+}
+
+// Solves (K + s D) direction = residual - K gap, with the smallest shift that is found to work.
+bool StaticSolver::find_direction(double forcing, bool has_gap) {
+  right_side_ = state_.residual;
+  if (has_gap) {
+    model_.product(gap_, 1, right_side_);
+    constraints_.project(right_side_);
+  }
+  while (true) {
+    if (options_.linear_solver.kind == LinearSolverKind::cholesky) ++result_.factorizations;
+    if (solver_->set_shift(shift_)) {
+      const LinearSolveReport report = solver_->solve(right_side_, forcing, direction_);
+      result_.linear_iterations += report.iterations;
+      const bool descends = has_gap || dot(state_.residual, direction_, model_.num_threads()) > 0;
+      if (report.positive_definite && descends) return true;
+    }
+    if (!grow_shift()) return false;
+  }
+}
+
+// Moves state_ along direction_. With a gap the constrained motion is made whole: a potential at
+// another position of the supports is no measure of progress.
+StepOutcome StaticSolver::take_step(bool has_gap) {
+  if (has_gap) {
+    step_ = 1;
+    trial_.u = state_.u + direction_ + gap_;
+    if (!potential_.evaluate_energy(trial_) || !potential_.evaluate_forces(trial_)) {
+      reason_ = "the prescribed motion is too large for one load step: " +
+                model_.describe(model_.status());
+      return StepOutcome::failed;
+    }
+    std::swap(state_, trial_);
+    return StepOutcome::moved;
+  }
+  while (true) {
+    switch (potential_.search(state_, direction_, shift_ == 0, trial_, step_)) {
+      case LineSearchOutcome::accepted:
+        std::swap(state_, trial_);
+        return StepOutcome::moved;
+      case LineSearchOutcome::at_rounding:
+        reason_ =
+            fmt::format("rounding errors keep the residual at {:.3g} N; ask for a larger tolerance",
+                        state_.residual_norm);
+        return StepOutcome::stopped;
+      case LineSearchOutcome::failed:
+        if (!grow_shift() || !find_direction(loosest_forcing, false)) {
+          reason_ = "the line search found no smaller potential along any direction tried";
+          return StepOutcome::failed;
+        }
+        break;
+    }
+  }
+}
+
+bool StaticSolver::report(double factor, double step, int linear_iterations) {
+  if (!options_.on_iteration) return true;
+  NewtonProgress progress;
+  progress.iteration = result_.iterations;
+  progress.load_factor = factor;
+  progress.residual = state_.residual_norm;
+  const double scale = reference();
+  progress.relative_residual = scale > 0 ? state_.residual_norm / scale : 0;
+  progress.potential = state_.potential;
+  progress.step = step;
+  progress.shift = shift_;
+  progress.linear_iterations = linear_iterations;
+  return options_.on_iteration(progress);
+}
+
+StepOutcome StaticSolver::solve_load_step(double factor) {
+  potential_.set_load_factor(factor);
+  gap_ = start_;
+  constraints_.impose(gap_);
+  gap_ = start_ + factor * (gap_ - start_) - state_.u;
+  constraints_.project_constrained(gap_);
+  bool has_gap = gap_.squaredNorm() > 0;
+
+  if (!potential_.evaluate_energy(state_) || !potential_.evaluate_forces(state_)) {
+    throw InputError("the start of the static solve: " + model_.describe(model_.status()));
+  }
+  start_residual_ = state_.residual_norm;
+  previous_residual_ = 0;
+  shift_ = 0;
+  if (result_.iterations == 0 && !report(factor, 0, 0)) {
+    reason_ = "it was interrupted";
+    return StepOutcome::interrupted;
+  }
+
+  for (bool has_tangent = false;; has_tangent = true) {
+    // Before the first tangent D is unknown: no allowance for rounding then.
+    const double threshold = options_.tolerance * reference() + (has_tangent ? rounding() : 0.0);
+    if (!has_gap && state_.residual_norm <= threshold) return StepOutcome::converged;
+    if (result_.iterations == options_.max_iterations) {
+      reason_ =
+          fmt::format("the limit of {} Newton iterations was reached", options_.max_iterations);
+      return StepOutcome::stopped;
+    }
+    ++result_.iterations;
+    {
+      const Stopwatch watch(result_.times.linearization);
+      model_.linearize(state_.u);
+    }
+    solver_->update();
+    shift_ = shift_ > first_shift ? shift_ / shift_factor : 0;
+    const int iterations_before = result_.linear_iterations;
+    if (!find_direction(forcing_term(threshold), has_gap)) return StepOutcome::failed;
+    const StepOutcome outcome = take_step(has_gap);
+    if (outcome != StepOutcome::moved) return outcome;
+    has_gap = false;
+    if (!report(factor, step_, result_.linear_iterations - iterations_before)) {
+      reason_ = "it was interrupted";
+      return StepOutcome::interrupted;
+    }
+  }
+}
+
+void StaticSolver::run(Vector& u) {
+  const Stopwatch watch(result_.times.total);
+  state_.u = u;
+  start_ = u;
+  direction_ = Vector::Zero(u.size());
+  double increment = 1.0 / options_.load_steps;
+  int halvings = 0;
+  Vector balanced = u;
+  while (result_.status != NewtonStatus::converged) {
+    // The last load step ends at 1 whatever the rounding of the sum.
+    const double next = result_.load_factor + increment;
+    const double factor = next > 1 - 1e-9 ? 1 : next;
+    const StepOutcome outcome = solve_load_step(factor);
+    if (outcome == StepOutcome::converged) {
+      result_.load_factor = factor;
+      ++result_.load_steps;
+      halvings = 0;
+      balanced = state_.u;
+      if (factor == 1) result_.status = NewtonStatus::converged;
+    } else if (outcome == StepOutcome::failed && halvings < options_.max_halvings) {
+      ++halvings;
+      increment /= 2;
+      state_.u = balanced;
+    } else {
+      if (outcome == StepOutcome::interrupted) result_.status = NewtonStatus::interrupted;
+      result_.reason = reason_;
+      break;
+    }
+  }
+  u = state_.u;
+}
+
+NewtonResult StaticSolver::result() {
+  result_.energy_evaluations = potential_.num_energy_evaluations();
+  result_.residual = state_.residual_norm;
+  const double scale = reference();
+  result_.relative_residual = scale > 0 ? state_.residual_norm / scale : 0;
+  result_.energy = state_.energy;
+  result_.potential = state_.potential;
+  result_.internal_forces = state_.forces;
+  result_.reactions = -(potential_.load() + state_.forces);
+  constraints_.project_constrained(result_.reactions);
+  const LinearSolverTimes& times = solver_->times();
+  result_.times.forces = potential_.seconds();
+  result_.times.linearization += times.assembly + times.product;
+  result_.times.solve = times.factorization + times.solve;
+  return std::move(result_);
+}
+
+}  // namespace
+
+NewtonResult solve_static(Model& model, const Constraints& constraints, const ConstVectorRef& load,
+                          const NewtonOptions& options, Vector& u) {
+  check_options(options);
+  const auto num_dofs = static_cast<Eigen::Index>(model.num_dofs());
+  if (u.size() != num_dofs || load.size() != num_dofs ||
+      constraints.num_dofs() != model.num_dofs()) {
+    throw InternalError(fmt::format(
+        "static solve: displacement, load and constraints have {}, {} and {} values, the model {}",
+        u.size(), load.size(), constraints.num_dofs(), num_dofs));
+  }
+  if (constraints.num_constrained() == 0) {
+    throw InputError(
+        "static solve: nothing is fixed, so the body can move freely; constrain some nodes");
+  }
+  if (!load.allFinite()) throw InputError("static solve: the load is not finite");
+  StaticSolver solver(model, constraints, load, options);
+  solver.run(u);
+  return solver.result();
+}
+
+}  // namespace elastogen

@@ -1,0 +1,88 @@
+// Static equilibrium by Newton's method on the total potential.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "runtime/constraints.h"
+#include "runtime/linear_solver.h"
+#include "runtime/model.h"
+#include "runtime/vector.h"
+
+namespace elastogen {
+
+/// State after one Newton iteration.
+struct NewtonProgress {
+  int iteration = 0;             ///< counted over all load steps, from 1; 0 is the start
+  double load_factor = 1;        ///< fraction of the load and motion of the present load step
+  double residual = 0;           ///< |r| on the free degrees of freedom [N]
+  double relative_residual = 0;  ///< residual over its reference (NewtonOptions::tolerance)
+  double potential = 0;          ///< W(u) - f.u [J]
+  double step = 0;               ///< length taken of the Newton step, in (0, 1]
+  double shift = 0;              ///< diagonal shift s of the tangent K + s D
+  int linear_iterations = 0;     ///< conjugate gradient iterations in this Newton iteration
+};
+
+struct NewtonOptions {
+  LinearSolverOptions linear_solver;
+
+  /// Converged when |r| <= tolerance * max(|f|, |R|) + rounding, all 2-norms over degrees of
+  /// freedom: r = f - dW/dU on the free ones, f the load on the free ones, R the reactions on the
+  /// constrained ones, and rounding = 4 eps |D u| with D the diagonal of K, what rounding of u
+  /// alone does to r.
+  double tolerance = 1e-8;
+  int max_iterations = 100;  ///< over all load steps
+  /// Load and prescribed motion are applied in this many equal steps; a step that fails is halved.
+  int load_steps = 1;
+  int max_halvings = 8;  ///< of one load step before giving up
+
+  /// Called at the start and after each iteration; return false to stop. May be empty.
+  std::function<bool(const NewtonProgress&)> on_iteration;
+};
+
+enum class NewtonStatus { converged, not_converged, interrupted };
+
+struct NewtonTimes {
+  double forces = 0;         ///< energies and forces [s]
+  double linearization = 0;  ///< linearisation, assembly, preconditioner, products [s]
+  double solve = 0;          ///< factorisation, substitution, vector work of the solver [s]
+  double total = 0;          ///< [s]
+};
+
+struct NewtonResult {
+  NewtonStatus status = NewtonStatus::not_converged;
+  std::string reason;  ///< one sentence when not converged, naming an element where one is bad
+  int iterations = 0;
+  int load_steps = 0;         ///< load steps that converged
+  int linear_iterations = 0;  ///< conjugate gradient, in total
+  int factorizations = 0;     ///< Cholesky, in total
+  int energy_evaluations = 0;
+  double load_factor = 0;        ///< fraction of the load that `u` balances; 1 when converged
+  double residual = 0;           ///< |r| at the end [N]
+  double relative_residual = 0;  ///< over max(|f|, |R|)
+  double energy = 0;             ///< W(u) [J]
+  double potential = 0;          ///< W(u) - f.u [J]
+  Vector internal_forces;        ///< -dW/dU at the end [N]
+  Vector reactions;              ///< forces of the supports on the body, 0 where free [N]
+  NewtonTimes times;
+};
+
+/// Minimises the total potential Pi(u) = W(u) - load.u under the constraints.
+///
+/// Each iteration solves (K + s D) d = r and moves along d by a backtracking line search that
+/// decreases Pi (Armijo); an energy that is not finite, or an element out of its law's domain,
+/// counts as too long a step. Where energy differences drown in rounding, a decrease of |r| is
+/// asked for instead. The shift s is 0 while K is positive definite and grows tenfold until
+/// K + s D is. Conjugate gradient is solved inexactly with a tolerance after Eisenstat and Walker,
+/// "Choosing the forcing terms in an inexact Newton method", SIAM J. Sci. Comput. 17 (1996),
+/// choice 2.
+///
+/// @param load  dead load on all degrees of freedom [N]; what acts on constrained ones goes into
+///              the reactions
+/// @param u     in: start; out: equilibrium, or the last state that was reached
+/// @throws InputError  wrong options; no constraint at all; the elements are bad at the start
+[[nodiscard]] NewtonResult solve_static(Model& model, const Constraints& constraints,
+                                        const ConstVectorRef& load, const NewtonOptions& options,
+                                        Vector& u);
+
+}  // namespace elastogen

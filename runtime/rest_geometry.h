@@ -1,0 +1,37 @@
+// Rest shapes: which geometry variant an element may use, and whether it is sound.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "runtime/element_group.h"
+#include "runtime/mesh.h"
+
+namespace elastogen {
+
+/// Whether an element's rest shape is an axis-aligned box with its nodes in the order of hexa8:
+/// (0,0,0) (1,0,0) (1,1,0) (0,1,0), then the same at z = 1, to 1e-12 of the longest edge.
+/// Elements of other types are none.
+[[nodiscard]] bool is_axis_aligned_box(const Mesh& mesh, const ElementBlock& block,
+                                       std::size_t element);
+
+/// The variant of a table for a geometry, or null.
+[[nodiscard]] const VariantTable<double>* find_variant(const KernelTable<double>& table,
+                                                       const std::string& geometry);
+
+/// What the kernel `geometry_measures` tells of a group.
+struct RestMeasures {
+  std::span<double> nodal_volumes;    ///< [node], added to
+  std::span<double> lumped_mass;      ///< [node], density times volume, added to
+  std::span<double> element_volumes;  ///< [element in the mesh]
+};
+
+/// Fills the measures from the group's positions.
+/// @throws InputError  naming the group's first element whose Jacobian determinant is not above
+///                     rounding at a quadrature point
+void measure_rest_shapes(const ElementGroup& group, RestMeasures measures);
+
+/// "element 17 (tet4, nodes 3 8 9 12)", lane `k` of the group; numbers from 0.
+[[nodiscard]] std::string element_text(const ElementGroup& group, std::size_t k);
+
+}  // namespace elastogen

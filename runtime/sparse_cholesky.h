@@ -1,0 +1,39 @@
+// Sparse L L^T of the assembled stiffness on the free degrees of freedom.
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <cstdint>
+#include <vector>
+
+#include "runtime/linear_solver.h"
+
+namespace elastogen {
+
+class SparseCholesky final : public LinearSolver {
+ public:
+  SparseCholesky(Model& model, const Constraints& constraints);
+
+  void update() override;
+  [[nodiscard]] bool set_shift(double shift) override;
+  LinearSolveReport solve(const ConstVectorRef& b, double tolerance, VectorRef x) override;
+  [[nodiscard]] const Vector& diagonal() const override { return diagonal_; }
+
+ private:
+  using Matrix = Eigen::SparseMatrix<double>;
+
+  void find_pattern();
+  void choose_ordering();
+
+  Model& model_;
+  std::vector<std::int32_t> free_numbers_;     // [dof] row in free_matrix_, -1 where constrained
+  Matrix stiffness_;                           // all degrees of freedom, full storage
+  Matrix free_matrix_;                         // free ones, lower triangle
+  std::vector<std::int32_t> sources_;          // value of stiffness_ for each one of free_matrix_
+  std::vector<std::int32_t> diagonal_values_;  // [free]: its diagonal in free_matrix_
+  Vector diagonal_;
+  Vector free_b_, free_x_;
+  // Natural: free_numbers_ holds the ordering.
+  Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor_;
+};
+
+}  // namespace elastogen

@@ -1,0 +1,102 @@
+#include "runtime/stiffness_assembly.h"
+
+#include <omp.h>
+
+#include <algorithm>
+
+namespace elastogen {
+namespace {
+
+// Element matrices that a thread computes before columns are added: enough to hide the barriers,
+// few enough to stay in cache.
+constexpr std::size_t numbers_per_thread = (1u << 20) / sizeof(double);
+
+std::size_t largest_matrix_batch(const std::vector<ElementGroup>& groups) {
+  std::size_t size = 0;
+  for (const ElementGroup& group : groups) {
+    size = std::max(
+        size, group.values_per_batch() * static_cast<std::size_t>(group.num_nodes * group.dim));
+  }
+  return size;
+}
+
+}  // namespace
+
+StiffnessAssembly::StiffnessAssembly(const std::vector<ElementGroup>& groups, std::size_t num_nodes,
+                                     int dim, int threads)
+    : threads_(threads),
+      pattern_(groups, num_nodes, dim),
+      workspaces_(static_cast<std::size_t>(threads), Workspace(groups, false)),
+      matrices_(std::max(numbers_per_thread, largest_matrix_batch(groups)) *
+                static_cast<std::size_t>(threads)) {}
+
+ElementStatus StiffnessAssembly::run(const std::vector<ElementGroup>& groups,
+                                     const double* displacement, double* values) {
+  ElementPass pass;
+  pass.kernel = &VariantTable<double>::stiffness;
+  pass.displacement = displacement;
+  std::fill_n(values, pattern_.num_values(), 0.0);
+  std::vector<ElementStatus> status(static_cast<std::size_t>(threads_));
+
+#pragma omp parallel num_threads(threads_)
+  {
+    const int thread = omp_get_thread_num();
+    const int num_threads = omp_get_num_threads();
+    Workspace& workspace = workspaces_[static_cast<std::size_t>(thread)];
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const ElementGroup& group = groups[g];
+      const std::size_t size =
+          group.values_per_batch() * static_cast<std::size_t>(group.num_nodes * group.dim);
+      const std::size_t step = matrices_.size() / size;
+      for (std::size_t begin = 0; begin < group.num_batches; begin += step) {
+        const std::size_t end = std::min(begin + step, group.num_batches);
+        with_layout(group, [&](auto layout) {
+          for (std::size_t batch = begin + static_cast<std::size_t>(thread); batch < end;
+               batch += static_cast<std::size_t>(num_threads)) {
+            status[static_cast<std::size_t>(thread)].merge(compute_batch<decltype(layout)>(
+                group, batch, pass, workspace, matrices_.data() + (batch - begin) * size));
+          }
+        });
+#pragma omp barrier
+        for (std::size_t batch = begin; batch < end; ++batch) {
+          add_columns(group, g, batch, matrices_.data() + (batch - begin) * size, thread,
+                      num_threads, values);
+        }
+#pragma omp barrier
+      }
+    }
+  }
+  ElementStatus first;
+  for (const ElementStatus& s : status) first.merge(s);
+  return first;
+}
+
+void StiffnessAssembly::add_columns(const ElementGroup& group, std::size_t group_number,
+                                    std::size_t batch, const double* matrices, int thread,
+                                    int num_threads, double* values) const {
+  const std::size_t lanes = static_cast<std::size_t>(group.lanes);
+  const int n = group.num_nodes;
+  const int d = group.dim;
+  const std::int32_t* dofs = group.dofs.data() + batch * static_cast<std::size_t>(n) * lanes;
+  const std::int32_t* slots =
+      pattern_.slots(group_number).data() + batch * lanes * static_cast<std::size_t>(n * n);
+  for (int l = 0; l < group.used_lanes(batch); ++l) {
+    for (int a = 0; a < n; ++a) {
+      const std::int32_t node = dofs[a * group.lanes + l] / d;
+      if (node % num_threads != thread) continue;
+      const std::int32_t column_length = pattern_.column_length(static_cast<std::size_t>(node));
+      for (int b = 0; b < n; ++b) {
+        // K is symmetric: row (a, j) of the element matrix is column (a, j) of the global one.
+        double* block = values + slots[(l * n + a) * n + b];
+        const double* from = matrices + static_cast<std::size_t>((a * d * n + b) * d) * lanes + l;
+        for (int j = 0; j < d; ++j) {
+          for (int i = 0; i < d; ++i) {
+            block[j * column_length + i] += from[static_cast<std::size_t>(j * n * d + i) * lanes];
+          }
+        }
+      }
+    }
+  }
+}
+
+}  // namespace elastogen

@@ -1,0 +1,36 @@
+// Stiffness of all elements into a sparse matrix.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "runtime/block_pattern.h"
+#include "runtime/element_pass.h"
+
+namespace elastogen {
+
+/// Fills the values of a matrix of the given pattern with K at `displacement`. Threads compute
+/// element matrices of a few batches together, then each adds the columns of its own nodes in the
+/// order of elements: the result does not depend on the number of threads.
+class StiffnessAssembly {
+ public:
+  StiffnessAssembly(const std::vector<ElementGroup>& groups, std::size_t num_nodes, int dim,
+                    int threads);
+
+  [[nodiscard]] const BlockPattern& pattern() const { return pattern_; }
+
+  /// @return the first bad element
+  ElementStatus run(const std::vector<ElementGroup>& groups, const double* displacement,
+                    double* values);
+
+ private:
+  void add_columns(const ElementGroup& group, std::size_t group_number, std::size_t batch,
+                   const double* matrices, int thread, int num_threads, double* values) const;
+
+  int threads_;
+  BlockPattern pattern_;
+  std::vector<Workspace> workspaces_;  // [thread]; output unused
+  AlignedVector<double> matrices_;     // of the batches that are computed together
+};
+
+}  // namespace elastogen
