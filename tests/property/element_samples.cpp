@@ -1,0 +1,83 @@
+#include "element_samples.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "symgen/element/element.h"
+#include "symgen/quadrature/quadrature.h"
+
+namespace elastogen::test {
+
+using symgen::AssociationId;
+using symgen::ElementCase;
+using symgen::Law;
+
+ElementCase sample_case(const AssociationId& id, const Law& law, const SampleOptions& options) {
+  std::mt19937 generator(options.seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const symgen::Element& element = symgen::find_element(id.element);
+  const std::array<double, 3> edges{1.0, 0.75, 1.5};
+  ElementCase sample;
+  for (const auto& node : element.nodes) {
+    for (int i = 0; i < element.dim; ++i) {
+      const double reference = GiNaC::ex_to<GiNaC::numeric>(node[i].evalf()).to_double();
+      sample.rest_positions.push_back(options.box
+                                          ? edges[i] * reference + 0.25 * i
+                                          : reference + options.distortion * uniform(generator));
+    }
+  }
+  for (std::size_t k = 0; k < sample.rest_positions.size(); ++k) {
+    sample.displacement.push_back(options.strain * uniform(generator));
+  }
+  for (std::size_t k = 0; k < sample.rest_positions.size(); ++k) {
+    sample.direction.push_back(uniform(generator));
+  }
+  sample.parameters = symgen::parameters_from_young_poisson(law, 1000.0, 0.3);
+  return sample;
+}
+
+void make_rigid_motion(ElementCase& sample, double angle) {
+  const double length = std::sqrt(14.0);
+  const std::array<double, 3> n{1 / length, 2 / length, 3 / length};
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (std::size_t a = 0; a < sample.rest_positions.size(); a += 3) {
+    const double* x = &sample.rest_positions[a];
+    const double along = n[0] * x[0] + n[1] * x[1] + n[2] * x[2];
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      const double cross = n[j] * x[k] - n[k] * x[j];
+      const double turned = c * x[i] + s * cross + (1 - c) * along * n[i];
+      sample.displacement[a + i] = turned - x[i] + 0.5 * (i + 1);
+    }
+  }
+}
+
+Law shipped_law(const std::string& name) {
+  return symgen::read_law(std::string(ELASTOGEN_SOURCE_DIR) + "/laws/" + name + ".toml");
+}
+
+std::vector<std::string> unsplit_associations() {
+  std::vector<std::string> ids;
+  for (const char* name : {"hooke", "neo_hookean", "stvk"}) {
+    const bool polynomial = shipped_law(name).polynomial;
+    for (const std::string& element : symgen::element_names()) {
+      for (const std::string& quadrature : symgen::quadrature_names(element)) {
+        const bool analytic = symgen::find_quadrature(element, quadrature).polynomial_laws_only;
+        if (polynomial || !analytic) {
+          ids.push_back(std::string(name) + "-" + element + "-" + quadrature + "-none");
+        }
+      }
+    }
+  }
+  return ids;
+}
+
+std::string test_name(const std::string& association) {
+  std::string name = association;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+}  // namespace elastogen::test

@@ -1,0 +1,36 @@
+// Elements in general position for tests: distorted rest shapes and displacements of a given size.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "symgen/law/law.h"
+#include "symgen/pipeline.h"
+
+namespace elastogen::test {
+
+struct SampleOptions {
+  double strain = 0.1;       ///< size of the nodal displacements over the element's size
+  double distortion = 0.15;  ///< of the reference shape, in units of its coordinates
+  bool box = false;          ///< an axis-aligned box instead of a distorted shape
+  std::uint32_t seed = 1;
+};
+
+/// Rest positions, displacement, direction, and parameters of E = 1000 Pa, nu = 0.3.
+[[nodiscard]] symgen::ElementCase sample_case(const symgen::AssociationId& id,
+                                              const symgen::Law& law, const SampleOptions& options);
+
+/// Positions of a sample turned by `angle` about an axis through (1, 2, 3) and shifted, as a
+/// displacement.
+void make_rigid_motion(symgen::ElementCase& sample, double angle);
+
+[[nodiscard]] symgen::Law shipped_law(const std::string& name);
+
+/// Every law x element x quadrature, unsplit.
+[[nodiscard]] std::vector<std::string> unsplit_associations();
+
+/// "stvk_hexa8_q8_none", for names of parametrised tests.
+[[nodiscard]] std::string test_name(const std::string& association);
+
+}  // namespace elastogen::test

@@ -1,0 +1,80 @@
+// What generation promises: the same bytes every time, hashes that follow the law, readable text.
+#include <gtest/gtest.h>
+
+#include "element_samples.h"
+#include "runtime/error.h"
+
+namespace elastogen::test {
+namespace {
+
+using symgen::AssociationId;
+using symgen::Law;
+
+TEST(Generation, SameInputGivesSameBytes) {
+  for (const char* text : {"stvk-hexa8-q8-none", "neo_hookean-prism6-q6-lg"}) {
+    const AssociationId id = AssociationId::parse(text);
+    const auto first = symgen::generate_association(id, shipped_law(id.law), {});
+    const auto second = symgen::generate_association(id, shipped_law(id.law), {});
+    EXPECT_EQ(first.header, second.header);
+    EXPECT_EQ(first.hash, symgen::association_hash(id, shipped_law(id.law), {}));
+  }
+}
+
+TEST(Generation, HashFollowsLawAndOptions) {
+  const AssociationId id = AssociationId::parse("stvk-tet4-q1-none");
+  Law law = shipped_law("stvk");
+  const std::string before = symgen::association_hash(id, law, {});
+  law.title = "another title";
+  EXPECT_EQ(symgen::association_hash(id, law, {}), before);
+  law.text += " ";
+  EXPECT_NE(symgen::association_hash(id, law, {}), before);
+  symgen::GenerateOptions options;
+  options.profile = "gpu";
+  EXPECT_NE(symgen::association_hash(id, shipped_law("stvk"), options), before);
+}
+
+TEST(Generation, LinesFitAndNamesNoMachine) {
+  const AssociationId id = AssociationId::parse("stvk-hexa8-q8-g");
+  const std::string text = symgen::generate_association(id, shipped_law("stvk"), {}).header;
+  EXPECT_EQ(text.find("/home"), std::string::npos);
+  EXPECT_EQ(text.find(ELASTOGEN_SOURCE_DIR), std::string::npos);
+  EXPECT_EQ(text.find(ELASTOGEN_BINARY_DIR), std::string::npos);
+  EXPECT_NE(text.find("association  stvk-hexa8-q8-g"), std::string::npos);
+}
+
+TEST(Generation, FragmentsThatDifferInNumbersOnlyAreEmittedOnce) {
+  const AssociationId id = AssociationId::parse("stvk-hexa8-q8-lgnd");
+  const auto generated = symgen::generate_association(id, shipped_law("stvk"), {});
+  EXPECT_NE(generated.header.find("384 fragments, 6 of them different"), std::string::npos);
+}
+
+TEST(Generation, AutoSplitsWhatIsTooLarge) {
+  const Law law = shipped_law("stvk");
+  const auto small =
+      symgen::generate_association(AssociationId::parse("stvk-hexa8-q8-auto"), law, {});
+  EXPECT_EQ(small.chosen_split, "none");
+  const auto large =
+      symgen::generate_association(AssociationId::parse("stvk-hexa8-q27-auto"), law, {});
+  EXPECT_NE(large.chosen_split, "none");
+  EXPECT_NE(large.split_reason.find("flops"), std::string::npos);
+}
+
+TEST(Generation, ExactQuadratureNeedsAPolynomialLaw) {
+  const AssociationId id = AssociationId::parse("neo_hookean-tet4-exact-none");
+  EXPECT_THROW((void)symgen::generate_association(id, shipped_law("neo_hookean"), {}), InputError);
+}
+
+TEST(AssociationId, BadTextsAreRefusedWithWhatIsAllowed) {
+  for (const char* text : {"stvk", "stvk-hexa8-q8", "stvk-hexa9-q8-none", "stvk-hexa8-q7-none",
+                           "stvk-hexa8-q8-gl", "3d-hexa8-q8-none"}) {
+    EXPECT_THROW((void)AssociationId::parse(text), InputError) << text;
+  }
+  try {
+    (void)AssociationId::parse("stvk-hexa9-q8-none");
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("hexa8"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace elastogen::test

@@ -1,0 +1,229 @@
+// Compiled kernels of every association: against exact evaluation, against each other (energy,
+// forces, product, stiffness), and against mechanics (rigid motions).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "element_samples.h"
+#include "selector/commands/evaluation.h"
+#include "tested_kernels.h"
+
+namespace elastogen::test {
+namespace {
+
+using selector::evaluate_kernels;
+using selector::KernelEvaluation;
+using symgen::AssociationId;
+using symgen::ElementCase;
+using symgen::Law;
+
+double largest(const std::vector<double>& values) {
+  double result = 0;
+  for (const double value : values) result = std::max(result, std::abs(value));
+  return result;
+}
+
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double result = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) result = std::max(result, std::abs(a[k] - b[k]));
+  return result;
+}
+
+std::vector<double> numbers(const std::vector<std::string>& texts) {
+  std::vector<double> result;
+  for (const std::string& text : texts) result.push_back(std::stod(text));
+  return result;
+}
+
+/// The exact values of a case, rounded to double once.
+KernelEvaluation exact_values(const AssociationId& id, const Law& law, const ElementCase& input) {
+  const symgen::Evaluation exact = symgen::evaluate_graph(id, law, input, symgen::GraphScalar::cln);
+  EXPECT_EQ(exact.status, "ok");
+  KernelEvaluation result;
+  result.energy = std::stod(exact.energy);
+  result.forces = numbers(exact.forces);
+  result.product = numbers(exact.product);
+  result.stiffness = numbers(exact.stiffness);
+  return result;
+}
+
+/// Errors in ulp of the scalar, each over the size that its rounding is relative to.
+struct Errors {
+  double energy, forces, product, stiffness;
+};
+
+Errors errors_of(const KernelEvaluation& found, const KernelEvaluation& exact,
+                 const ElementCase& input, double ulp) {
+  const double stiffness = largest(exact.stiffness);
+  return {std::abs(found.energy - exact.energy) / std::abs(exact.energy) / ulp,
+          distance(found.forces, exact.forces) / largest(exact.forces) / ulp,
+          distance(found.product, exact.product) / (stiffness * largest(input.direction)) / ulp,
+          distance(found.stiffness, exact.stiffness) / stiffness / ulp};
+}
+
+/// A case whose numbers are all floats, so that float kernels get the same input.
+ElementCase rounded_to_float(ElementCase input) {
+  for (auto* values :
+       {&input.rest_positions, &input.displacement, &input.direction, &input.parameters}) {
+    for (double& value : *values) value = static_cast<double>(static_cast<float>(value));
+  }
+  return input;
+}
+
+class Kernels : public ::testing::TestWithParam<std::string> {
+ protected:
+  AssociationId id = AssociationId::parse(GetParam());
+  Law law = shipped_law(id.law);
+  const KernelTable<double>& table = *kernels_of(GetParam()).double_table();
+  const KernelTable<float>& float_table = *kernels_of(GetParam()).float_table();
+
+  [[nodiscard]] ElementCase sample(double strain, std::uint32_t seed = 1) const {
+    SampleOptions options;
+    options.strain = strain;
+    options.seed = seed;
+    return sample_case(id, law, options);
+  }
+};
+
+TEST_P(Kernels, AgreeWithExactEvaluationAtEveryStrain) {
+  for (const double strain : {1e-12, 1e-6, 1e-3, 0.1}) {
+    SCOPED_TRACE(strain);
+    const ElementCase input = sample(strain);
+    const KernelEvaluation exact = exact_values(id, law, input);
+    const KernelEvaluation found = evaluate_kernels(table, "general", input);
+    EXPECT_EQ(found.status, status_ok);
+    const Errors errors = errors_of(found, exact, input, std::numeric_limits<double>::epsilon());
+    EXPECT_LT(errors.energy, 200);
+    EXPECT_LT(errors.forces, 50);
+    EXPECT_LT(errors.product, 50);
+    EXPECT_LT(errors.stiffness, 50);
+  }
+}
+
+TEST_P(Kernels, AgreeWithExactEvaluationInFloat) {
+  for (const double strain : {1e-5, 0.1}) {
+    SCOPED_TRACE(strain);
+    const ElementCase input = rounded_to_float(sample(strain, 2));
+    const KernelEvaluation exact = exact_values(id, law, input);
+    const KernelEvaluation found = evaluate_kernels(float_table, "general", input);
+    EXPECT_EQ(found.status, status_ok);
+    const Errors errors = errors_of(found, exact, input, std::numeric_limits<float>::epsilon());
+    EXPECT_LT(errors.energy, 200);
+    EXPECT_LT(errors.forces, 50);
+    EXPECT_LT(errors.product, 50);
+    EXPECT_LT(errors.stiffness, 50);
+  }
+}
+
+/// W(U + hV) = W - h f.V + O(h^2), f(U + hV) = f + h p + O(h^2): halving h quarters the remainder.
+TEST_P(Kernels, TaylorRemaindersFallWithTheSecondOrder) {
+  ElementCase input = sample(0.05, 3);
+  const KernelEvaluation at = evaluate_kernels(table, "general", input);
+  double work = 0;
+  for (std::size_t k = 0; k < at.forces.size(); ++k) work += at.forces[k] * input.direction[k];
+  std::vector<double> energy_remainders, force_remainders;
+  const std::vector<double> start = input.displacement;
+  for (const double h : {2e-3, 1e-3, 5e-4}) {
+    for (std::size_t k = 0; k < start.size(); ++k) {
+      input.displacement[k] = start[k] + h * input.direction[k];
+    }
+    const KernelEvaluation ahead = evaluate_kernels(table, "general", input);
+    energy_remainders.push_back(std::abs(ahead.energy - at.energy + h * work));
+    std::vector<double> linear = at.forces;
+    for (std::size_t k = 0; k < linear.size(); ++k) linear[k] += h * at.product[k];
+    force_remainders.push_back(distance(ahead.forces, linear));
+  }
+  const double force_rounding = 1e-12 * largest(at.forces);
+  for (std::size_t k = 0; k + 1 < energy_remainders.size(); ++k) {
+    EXPECT_NEAR(energy_remainders[k] / energy_remainders[k + 1], 4.0, 0.4);
+    if (force_remainders[k] > force_rounding) {  // a linear law has none
+      EXPECT_NEAR(force_remainders[k] / force_remainders[k + 1], 4.0, 0.4);
+    } else {
+      EXPECT_EQ(id.law, "hooke");
+    }
+  }
+}
+
+TEST_P(Kernels, StiffnessIsSymmetricAndMinusTheProduct) {
+  const ElementCase input = sample(0.1, 4);
+  const KernelEvaluation at = evaluate_kernels(table, "general", input);
+  const std::size_t size = input.displacement.size();
+  const double scale = largest(at.stiffness);
+  std::vector<double> product(size, 0.0);
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = 0; j < size; ++j) {
+      EXPECT_NEAR(at.stiffness[i * size + j], at.stiffness[j * size + i], 1e-13 * scale);
+      product[i] -= at.stiffness[i * size + j] * input.direction[j];
+    }
+  }
+  EXPECT_LT(distance(product, at.product), 1e-13 * static_cast<double>(size) * scale);
+}
+
+TEST_P(Kernels, RotationsAreForceFree) {
+  if (id.law == "hooke") GTEST_SKIP() << "linear strain is not objective";
+  ElementCase input = sample(0.1, 5);
+  make_rigid_motion(input, 1.2);
+  const KernelEvaluation at = evaluate_kernels(table, "general", input);
+  // Rounding of displacements of size 1 against elements of size 1 and moduli of about 1000 Pa.
+  EXPECT_LT(largest(at.forces), 1e-14 * largest(at.stiffness) * 10);
+  // Neo-Hooke subtracts terms of the rotation's size: exact up to rounding of moduli, not of strains.
+  EXPECT_NEAR(at.energy, 0.0, 1e-14 * largest(at.stiffness));
+}
+
+TEST_P(Kernels, TranslationsCostNoDigits) {
+  ElementCase input = sample(1e-3, 6);
+  // A shift by a power of two that keeps every nodal difference exact.
+  for (double& value : input.displacement) value = std::round(value * 0x1p30) * 0x1p-30;
+  const KernelEvaluation near = evaluate_kernels(table, "general", input);
+  for (double& value : input.displacement) value += 0x1p20;
+  const KernelEvaluation far = evaluate_kernels(table, "general", input);
+  EXPECT_EQ(near.forces, far.forces);
+  EXPECT_EQ(near.energy, far.energy);
+}
+
+TEST_P(Kernels, BoxVariantAgreesWithTheGeneralOne) {
+  if (table.num_variants == 1) {
+    EXPECT_NE(id.element, "hexa8");
+    return;
+  }
+  SampleOptions options;
+  options.box = true;
+  const ElementCase input = sample_case(id, law, options);
+  const KernelEvaluation general = evaluate_kernels(table, "general", input);
+  const KernelEvaluation box = evaluate_kernels(table, "box", input);
+  EXPECT_NEAR(box.energy, general.energy, 1e-13 * general.energy);
+  EXPECT_LT(distance(box.forces, general.forces), 1e-14 * largest(general.forces) * 10);
+  EXPECT_LT(distance(box.product, general.product), 1e-14 * largest(general.product) * 10);
+  EXPECT_LT(distance(box.stiffness, general.stiffness), 1e-14 * largest(general.stiffness) * 10);
+}
+
+TEST_P(Kernels, StatusTellsBadResults) {
+  ElementCase input = sample(0.1, 7);
+  input.displacement[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(evaluate_kernels(table, "general", input).status & status_not_finite, 0U);
+  if (id.law != "neo_hookean") return;
+  // Mirror the element: det F = -1 everywhere, outside the domain of ln J.
+  for (std::size_t k = 0; k < input.displacement.size(); ++k) {
+    input.displacement[k] = k % 3 == 0 ? -2 * input.rest_positions[k] : 0.0;
+  }
+  EXPECT_NE(evaluate_kernels(table, "general", input).status & status_outside_domain, 0U);
+}
+
+std::vector<std::string> all_tested() {
+  std::vector<std::string> ids;
+  for (const TestedKernels& each : tested_kernels()) ids.push_back(each.association);
+  return ids;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Kernels, ::testing::ValuesIn(all_tested()),
+                         [](const auto& info) { return test_name(info.param); });
+
+TEST(TestedKernels, CoverEveryUnsplitAssociation) {
+  for (const std::string& association : unsplit_associations()) {
+    EXPECT_NO_THROW((void)kernels_of(association)) << association;
+  }
+}
+
+}  // namespace
+}  // namespace elastogen::test
