@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "runtime/error.h"
+#include "symgen/passes/cost.h"
 #include "symgen/passes/extract_grouped_constants.h"
 #include "symgen/passes/factor.h"
 #include "symgen/passes/group_stages.h"
@@ -319,12 +320,28 @@ VariantKernels unoptimised_kernels(ElementGraph graph) {
   return kernels;
 }
 
-long largest_fragment(const VariantKernels& kernels) {
+long typical_fragment_flops(ElementGraph graph, const Split& split) {
+  const auto parts = energy_parts(split, static_cast<int>(graph.energies.size()),
+                                  static_cast<int>(graph.determinants.size()));
+  const int num_nodes = static_cast<int>(graph.nodal_volumes.size());
+  const int dim = static_cast<int>(graph.positions.size()) / num_nodes;
+  const std::vector<int> rows = row_parts(split, num_nodes, dim)[0];
+  // Parts of different Gauss points are alike, those of different law terms are not.
+  const std::size_t stride = split.gauss_point ? graph.determinants.size() : 1;
   long largest = 0;
-  for (const char* name : {"energy", "forces", "product"}) {
-    for (const Fragment& fragment : kernels.operation(name).fragments) {
-      largest = std::max(largest, fragment.operations.flops());
+  for (std::size_t part = 0; part < parts.size(); part += stride) {
+    const PartGraph derivatives = differentiated(graph, parts[part]);
+    Graph piece{Dag(graph.dag.number_pool()), {}};
+    piece.roots =
+        copy_into(piece.dag, derivatives.graph.dag, selected(derivatives.product(), rows));
+    piece = simplified(piece);
+    const std::vector<bool> needed = piece.dag.reachable(piece.roots);
+    long flops = 0;
+    for (std::size_t i = 0; i < needed.size(); ++i) {
+      const NodeId id = static_cast<NodeId>(i);
+      if (needed[i] && piece.dag[id].stage > Stage::rest) flops += cost_of(piece.dag, id).flops();
     }
+    largest = std::max(largest, flops);
   }
   return largest;
 }

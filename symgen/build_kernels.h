@@ -50,7 +50,9 @@ struct VariantKernels {
 /// Energy, forces and product as they come from mechanics, without any pass: the reference.
 [[nodiscard]] VariantKernels unoptimised_kernels(ElementGraph graph);
 
-/// Largest fragment, in flops; what `auto` compares with the profile's limit.
-[[nodiscard]] long largest_fragment(const VariantKernels& kernels);
+/// Flops of the largest kind of fragment that a split makes, by the product, the dearest operation
+/// (what is known at rest not counted). Made from one Gauss point and one row part, since the
+/// others are alike; `auto` compares it with the profile's limit.
+[[nodiscard]] long typical_fragment_flops(ElementGraph graph, const Split& split);
 
 }  // namespace elastogen::symgen

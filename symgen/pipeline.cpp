@@ -45,7 +45,7 @@ struct ChosenSplit {
 };
 
 ChosenSplit choose_split(const AssociationId& id, const ElementGraph& graph, const Element& element,
-                         const Profile& profile, Grouping grouping) {
+                         const Profile& profile) {
   if (id.split != "auto") return {Split::parse(id.split), "asked for"};
   const int num_terms = static_cast<int>(graph.energies.size());
   const int num_points = static_cast<int>(graph.energies[0].size());
@@ -58,8 +58,7 @@ ChosenSplit choose_split(const AssociationId& id, const ElementGraph& graph, con
     return num_fragments(a) < num_fragments(b);
   });
   for (const Split& split : splits) {
-    const long largest =
-        largest_fragment(build_kernels(graph, Geometry::general, split, profile, grouping));
+    const long largest = typical_fragment_flops(graph, split);
     if (largest <= profile.fragment_flops) {
       return {split, fmt::format("coarsest split whose fragments stay below {} flops (profile {}): "
                                  "the largest has {}",
@@ -168,14 +167,17 @@ Evaluation evaluated(const VariantKernels& kernels, const std::vector<std::vecto
   };
   const auto add_up = [&](const std::string& name) {
     const OperationKernels& operation = kernels.operation(name);
-    std::vector<Number> total(operation.num_outputs, from_double(0.0));
+    std::vector<NodeId> roots;
+    std::vector<int> outputs;
     for (const Piece& piece : operation.pieces) {
-      const std::vector<Number> part = evaluate<Arithmetic>(
-          kernels.dag, piece.roots, arithmetic, [&](NodeId id) { return value_of[id]; });
-      for (std::size_t k = 0; k < part.size(); ++k) {
-        Number& sum = total[piece.outputs[k]];
-        sum = arithmetic.add(sum, part[k]);
-      }
+      roots.insert(roots.end(), piece.roots.begin(), piece.roots.end());
+      outputs.insert(outputs.end(), piece.outputs.begin(), piece.outputs.end());
+    }
+    const std::vector<Number> values_of_roots = evaluate<Arithmetic>(
+        kernels.dag, roots, arithmetic, [&](NodeId id) { return value_of[id]; });
+    std::vector<Number> total(operation.num_outputs, from_double(0.0));
+    for (std::size_t k = 0; k < roots.size(); ++k) {
+      total[outputs[k]] = arithmetic.add(total[outputs[k]], values_of_roots[k]);
     }
     return total;
   };
@@ -231,8 +233,7 @@ GeneratedAssociation generate_association(const AssociationId& id, const Law& la
   for (const Geometry geometry : geometries_of(formulation.element)) {
     ElementGraph graph = formulation.graph(law, geometry);
     if (!split) {
-      const ChosenSplit chosen =
-          choose_split(id, graph, formulation.element, profile, options.grouping);
+      const ChosenSplit chosen = choose_split(id, graph, formulation.element, profile);
       split = chosen.split;
       result.chosen_split = chosen.split.text();
       result.split_reason = chosen.reason;
@@ -280,7 +281,7 @@ std::string dot_graph(const AssociationId& id, const Law& law, const GenerateOpt
   const Profile& profile = find_profile(options.profile);
   const Formulation formulation(id, law, options.stabilise);
   ElementGraph graph = formulation.graph(law, Geometry::general);
-  const Split split = choose_split(id, graph, formulation.element, profile, options.grouping).split;
+  const Split split = choose_split(id, graph, formulation.element, profile).split;
   const VariantKernels kernels =
       build_kernels(std::move(graph), Geometry::general, split, profile, options.grouping);
   std::vector<LabelledRoot> roots;
@@ -306,8 +307,7 @@ Evaluation evaluate_graph(const AssociationId& id, const Law& law, const Element
   const Profile& profile = find_profile(GenerateOptions{}.profile);
   VariantKernels kernels;
   if (scalar == GraphScalar::dag_double) {
-    const Split split =
-        choose_split(id, graph, formulation.element, profile, Grouping::minimum_cut).split;
+    const Split split = choose_split(id, graph, formulation.element, profile).split;
     kernels =
         build_kernels(std::move(graph), Geometry::general, split, profile, Grouping::minimum_cut);
   } else {
