@@ -1,0 +1,200 @@
+#include "selector/commands/evaluate.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "runtime/error.h"
+#include "selector/commands/evaluation.h"
+#include "selector/commands/evaluation_case.h"
+#include "selector/support/files.h"
+
+namespace elastogen::selector {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct EvaluateOptions {
+  std::string association;
+  std::string input;
+  std::string scalar = "double";
+  std::string geometry = "general";
+};
+
+/// JSON values of the results, with null for what is not finite.
+struct Results {
+  Json energy;
+  std::vector<Json> forces, product, stiffness;
+  std::string status;
+  bool finite = true;
+};
+
+Json number_value(double number, bool& finite) {
+  if (std::isfinite(number)) return number;
+  finite = false;
+  return nullptr;
+}
+
+/// @param as_text  keep the digits that a double would lose
+Json text_value(const std::string& text, bool as_text, bool& finite) {
+  const Json number = number_value(std::strtod(text.c_str(), nullptr), finite);
+  return as_text && !number.is_null() ? Json(text) : number;
+}
+
+Results from_kernels(const KernelEvaluation& evaluation) {
+  Results results;
+  const auto convert = [&](const std::vector<double>& numbers) {
+    std::vector<Json> values;
+    for (const double number : numbers) values.push_back(number_value(number, results.finite));
+    return values;
+  };
+  results.energy = number_value(evaluation.energy, results.finite);
+  results.forces = convert(evaluation.forces);
+  results.product = convert(evaluation.product);
+  results.stiffness = convert(evaluation.stiffness);
+  results.status = status_text(evaluation.status);
+  return results;
+}
+
+/// Outside a law's domain exact arithmetic has no results at all: nulls take their places.
+Results from_graph(const symgen::Evaluation& evaluation, const symgen::ElementCase& input,
+                   bool as_text) {
+  Results results;
+  const auto convert = [&](const std::vector<std::string>& texts, std::size_t count) {
+    if (texts.empty()) return std::vector<Json>(count, nullptr);
+    std::vector<Json> values;
+    for (const std::string& text : texts) {
+      values.push_back(text_value(text, as_text, results.finite));
+    }
+    return values;
+  };
+  const std::size_t size = input.displacement.size();
+  if (!evaluation.energy.empty()) {
+    results.energy = text_value(evaluation.energy, as_text, results.finite);
+  }
+  results.forces = convert(evaluation.forces, size);
+  results.product = convert(evaluation.product, input.direction.size());
+  results.stiffness = convert(evaluation.stiffness, size * size);
+  results.status = evaluation.status;
+  return results;
+}
+
+/// Values in rows of `width`.
+Json rows(const std::vector<Json>& values, std::size_t width) {
+  Json array = Json::array();
+  for (std::size_t first = 0; first < values.size(); first += width) {
+    array.push_back(std::vector<Json>(values.begin() + static_cast<std::ptrdiff_t>(first),
+                                      values.begin() + static_cast<std::ptrdiff_t>(first + width)));
+  }
+  return array;
+}
+
+Json results_json(const Results& results, int dim) {
+  const auto width = static_cast<std::size_t>(dim);
+  Json output;
+  output["energy"] = results.energy;
+  output["forces"] = rows(results.forces, width);
+  if (!results.product.empty()) output["product"] = rows(results.product, width);
+  output["stiffness"] = rows(results.stiffness, results.forces.size());
+  const bool unmentioned = !results.finite && results.status == "ok";
+  output["status"] = unmentioned ? status_text(status_not_finite) : results.status;
+  return output;
+}
+
+template <class Scalar>
+Results compile_and_evaluate(const symgen::AssociationId& id, const symgen::Law& law, bool simd,
+                             const std::string& geometry, const symgen::ElementCase& input,
+                             const Context& context) {
+  KernelRequest request{id, law, {}};
+  request.what.single_precision = std::is_same_v<Scalar, float>;
+  request.what.simd = simd;
+  request.what.operations = {"energy", "forces", "product", "stiffness"};
+  KernelLoader loader(context.loader_options());
+  const std::vector<LoadedKernels> kernels = loader.load({request});
+  return from_kernels(evaluate_kernels(kernels.front().table<Scalar>(), geometry, input));
+}
+
+Results compute(const EvaluateOptions& options, const symgen::AssociationId& id,
+                const symgen::Law& law, const symgen::ElementCase& input, const Context& context) {
+  const std::string& scalar = options.scalar;
+  if (scalar == "dag" || scalar == "cln") {
+    const bool cln = scalar == "cln";
+    const auto kind = cln ? symgen::GraphScalar::cln : symgen::GraphScalar::dag_double;
+    return from_graph(symgen::evaluate_graph(id, law, input, kind), input, cln);
+  }
+  if (scalar == "float") {
+    return compile_and_evaluate<float>(id, law, false, options.geometry, input, context);
+  }
+  return compile_and_evaluate<double>(id, law, scalar == "simd", options.geometry, input, context);
+}
+
+int run_evaluate(const EvaluateOptions& options, const Context& context) {
+  const auto id = symgen::AssociationId::parse(options.association);
+  const symgen::Law law = read_law_of(id, context);
+  const symgen::Element& element = symgen::find_element(id.element);
+  const bool from_stdin = options.input == "-";
+  const std::string source = from_stdin ? "standard input" : options.input;
+  const std::string text = from_stdin ? std::string(std::istreambuf_iterator<char>(std::cin), {})
+                                      : read_text_file(options.input, "input");
+  const symgen::ElementCase input = read_evaluation_case(text, source, law, element);
+  check_rest_shape(input, source, element, symgen::find_quadrature(id.element, id.quadrature));
+  if (options.geometry == "box") {
+    if (options.scalar == "dag" || options.scalar == "cln") {
+      throw InputError(
+          fmt::format("--geometry box: --scalar {} evaluates the graph, which knows "
+                      "only the general geometry; take double, float or simd",
+                      options.scalar));
+    }
+    check_rest_shape_is_box(input, source, element);
+  }
+  fmt::print("{}\n", results_json(compute(options, id, law, input, context), element.dim).dump(2));
+  return 0;
+}
+
+}  // namespace
+
+void add_evaluate_command(CLI::App& app, Context& context) {
+  const auto options = std::make_shared<EvaluateOptions>();
+  CLI::App* command = app.add_subcommand("evaluate", "One element by numbers: JSON in, JSON out");
+  command->footer(
+      "Input:  {\"rest_positions\": [[x, y, z], ...], \"parameters\": {\"young\": 1e5, "
+      "\"poisson\": "
+      "0.3},\n"
+      "         \"displacement\": [[...]], \"direction\": [[...]]}   metres; direction may be "
+      "absent\n"
+      "Output: {\"energy\": J, \"forces\": [[N]] = -dW/dU, \"product\": [[N]] = (dforces/dU) "
+      "direction,\n"
+      "         \"stiffness\": [[N/m]] = d2W/dU2, node-major, \"status\": \"ok\" or what is "
+      "wrong}\n"
+      "A result that is not finite is null, and the status says so; the exit status is 0 then "
+      "too.\n"
+      "Examples:\n"
+      "  elastogen evaluate stvk-hexa8-q8-none --input case.json\n"
+      "  elastogen evaluate stvk-hexa8-q8-none --input - --scalar cln < case.json");
+  command->add_option("ASSOCIATION", options->association, "law-element-quadrature-split")
+      ->required();
+  command->add_option("--input", options->input, "The case; - is standard input")
+      ->type_name("FILE")
+      ->required();
+  command
+      ->add_option("--scalar", options->scalar,
+                   "double, float: compiled, one element at a time; simd: doubles in all lanes; "
+                   "dag, cln: the expression graph, without compiling, in doubles or 40 digits")
+      ->check(CLI::IsMember({"double", "float", "simd", "dag", "cln"}))
+      ->capture_default_str();
+  command
+      ->add_option("--geometry", options->geometry,
+                   "Variant of the compiled kernels; box: axis-aligned hexahedra only")
+      ->check(CLI::IsMember({"general", "box"}))
+      ->capture_default_str();
+  command->callback([options, &context] {
+    context.action = [options, &context] { return run_evaluate(*options, context); };
+  });
+}
+
+}  // namespace elastogen::selector

@@ -1,0 +1,217 @@
+#include "selector/commands/explain.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "runtime/error.h"
+#include "selector/commands/exact_text.h"
+#include "selector/support/files.h"
+#include "symgen/element/element.h"
+#include "symgen/quadrature/quadrature.h"
+
+namespace elastogen::selector {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int decimal_digits = 40;
+
+struct ExplainOptions {
+  std::string association;
+  std::string dot_file;
+  std::string operation = "forces";
+  bool json = false;
+};
+
+/// Everything that explains an association, before any of it is printed.
+struct Explanation {
+  const symgen::Law& law;
+  const symgen::Element& element;
+  const symgen::Quadrature& quadrature;
+  symgen::GeneratedAssociation generated;
+  std::string profile;
+};
+
+Json decimals(const std::vector<GiNaC::ex>& numbers) {
+  Json array = Json::array();
+  for (const GiNaC::ex& number : numbers) array.push_back(decimal_text(number, decimal_digits));
+  return array;
+}
+
+Json decimals(const std::vector<std::vector<GiNaC::ex>>& rows) {
+  Json array = Json::array();
+  for (const std::vector<GiNaC::ex>& row : rows) array.push_back(decimals(row));
+  return array;
+}
+
+Json law_json(const symgen::Law& law) {
+  Json terms = Json::array();
+  for (const symgen::LawTerm& term : law.terms) terms.push_back(term.text);
+  Json parameters = Json::array();
+  for (const symgen::Parameter& parameter : law.parameters) {
+    parameters.push_back({{"name", parameter.name},
+                          {"unit", parameter.unit},
+                          {"description", parameter.description},
+                          {"from_young_poisson", parameter.from_young_poisson}});
+  }
+  return {{"name", law.name},
+          {"title", law.title},
+          {"source", law.source},
+          {"terms", terms},
+          {"parameters", parameters}};
+}
+
+Json operations_json(const symgen::VariantReport& variant) {
+  Json operations = Json::object();
+  for (const symgen::OperationReport& operation : variant.operations) {
+    operations[operation.name] = {{"flops", operation.flops},
+                                  {"constants", operation.constants},
+                                  {"state", operation.state},
+                                  {"bytes_read", operation.bytes_read},
+                                  {"bytes_written", operation.bytes_written},
+                                  {"fragments", operation.fragments},
+                                  {"code_bytes", operation.code_bytes}};
+  }
+  return operations;
+}
+
+Json variant_json(const symgen::VariantReport& variant) {
+  return {{"geometry", variant.geometry},
+          {"constants", variant.num_constants},
+          {"constants_algorithm6", variant.constants_algorithm6},
+          {"state", variant.num_state},
+          {"reads_positions", variant.reads_positions},
+          {"operations", operations_json(variant)}};
+}
+
+/// The keys of the first five lines are a contract with other programs; `operations` are those
+/// of the general geometry.
+Json explanation_json(const Explanation& explanation) {
+  const symgen::GeneratedAssociation& generated = explanation.generated;
+  Json shape_functions = Json::array();
+  for (const GiNaC::ex& function : explanation.element.shape_functions) {
+    shape_functions.push_back(expression_text(function));
+  }
+  Json variants = Json::array();
+  for (const symgen::VariantReport& variant : generated.variants) {
+    variants.push_back(variant_json(variant));
+  }
+  return {{"association", generated.id.text()},
+          {"law", law_json(explanation.law)},
+          {"element",
+           {{"name", explanation.element.name},
+            {"reference_nodes", decimals(explanation.element.nodes)},
+            {"shape_functions", shape_functions}}},
+          {"quadrature",
+           {{"name", explanation.quadrature.name},
+            {"points", decimals(explanation.quadrature.points)},
+            {"weights", decimals(explanation.quadrature.weights)}}},
+          {"operations", operations_json(generated.variants.front())},
+          {"split", {{"chosen", generated.chosen_split}, {"reason", generated.split_reason}}},
+          {"profile", explanation.profile},
+          {"hash", generated.hash},
+          {"variants", variants}};
+}
+
+void print_variant(const symgen::VariantReport& variant) {
+  fmt::print("\ngeometry {}: {} constants ({} bytes) per element; algorithm 6 would store {}\n",
+             variant.geometry, variant.num_constants, 8 * variant.num_constants,
+             variant.constants_algorithm6);
+  fmt::print("  state of the two-stage product: {} numbers; rest positions are {} after setup\n",
+             variant.num_state, variant.reads_positions ? "read" : "not read");
+  fmt::print("  {:<12}{:>9}{:>11}{:>7}{:>12}{:>15}{:>11}{:>12}\n", "operation", "flops",
+             "constants", "state", "bytes read", "bytes written", "fragments", "code bytes");
+  for (const symgen::OperationReport& operation : variant.operations) {
+    fmt::print("  {:<12}{:>9}{:>11}{:>7}{:>12}{:>15}{:>11}{:>12}\n", operation.name,
+               operation.flops, operation.constants, operation.state, operation.bytes_read,
+               operation.bytes_written, operation.fragments, operation.code_bytes);
+  }
+}
+
+void print_explanation(const Explanation& explanation) {
+  const symgen::Law& law = explanation.law;
+  const symgen::GeneratedAssociation& generated = explanation.generated;
+  fmt::print("{}\n", generated.id.text());
+  fmt::print("  law         {} ({})\n", law.title, law.source);
+  for (const symgen::LawTerm& term : law.terms) {
+    fmt::print("              term {}: {}\n", term.name, term.text);
+  }
+  for (const symgen::Parameter& parameter : law.parameters) {
+    fmt::print("              parameter {} [{}]: {}\n", parameter.name, parameter.unit,
+               parameter.description);
+  }
+  fmt::print("  element     {}, {} nodes\n", explanation.element.name,
+             explanation.element.num_nodes());
+  fmt::print("  quadrature  {}, {} point{}\n", explanation.quadrature.name,
+             explanation.quadrature.num_points(),
+             explanation.quadrature.num_points() == 1 ? "" : "s");
+  fmt::print("  split       {}: {}\n", generated.chosen_split, generated.split_reason);
+  fmt::print("  profile     {}\n", explanation.profile);
+  fmt::print("  generated   in {:.3f} s, {} bytes of source, hash {}\n", generated.seconds,
+             generated.header.size(), generated.hash);
+  for (const symgen::VariantReport& variant : generated.variants) print_variant(variant);
+  fmt::print(
+      "\nper element, double precision; a fused multiply-add counts 2 flops, a division or a "
+      "function 1\n");
+}
+
+int write_graph(const ExplainOptions& options, const symgen::AssociationId& id,
+                const symgen::Law& law, const Context& context) {
+  const std::string graph =
+      symgen::dot_graph(id, law, context.generate_options(), options.operation);
+  if (options.dot_file == "-") {
+    fmt::print("{}", graph);
+  } else {
+    write_text_file(options.dot_file, graph);
+    context.tell("wrote " + options.dot_file + "; draw it with: dot -Tsvg " + options.dot_file +
+                 " -o graph.svg");
+  }
+  return 0;
+}
+
+int run_explain(const ExplainOptions& options, const Context& context) {
+  const auto id = symgen::AssociationId::parse(options.association);
+  const symgen::Law law = read_law_of(id, context);
+  if (!options.dot_file.empty()) return write_graph(options, id, law, context);
+
+  const Explanation explanation = {
+      law, symgen::find_element(id.element), symgen::find_quadrature(id.element, id.quadrature),
+      symgen::generate_association(id, law, context.generate_options()), context.profile};
+  if (options.json) {
+    fmt::print("{}\n", explanation_json(explanation).dump(2));
+  } else {
+    print_explanation(explanation);
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_explain_command(CLI::App& app, Context& context) {
+  const auto options = std::make_shared<ExplainOptions>();
+  CLI::App* command = app.add_subcommand("explain", "What one association costs, and why");
+  command->footer(
+      "Examples:\n"
+      "  elastogen explain stvk-hexa8-q8-auto\n"
+      "  elastogen explain hooke-tet4-q1-none --dot - --operation energy | dot -Tsvg -o graph.svg");
+  command->add_option("ASSOCIATION", options->association, "law-element-quadrature-split")
+      ->required();
+  CLI::Option* json = command->add_flag("--json", options->json, "For programs; exact numbers");
+  CLI::Option* dot = command
+                         ->add_option("--dot", options->dot_file,
+                                      "Write the expression graph in Graphviz's language; - is "
+                                      "standard output")
+                         ->type_name("FILE")
+                         ->excludes(json);
+  command->add_option("--operation", options->operation, "Operation whose graph is written")
+      ->check(CLI::IsMember({"energy", "forces", "product", "linearize", "apply"}))
+      ->needs(dot)
+      ->capture_default_str();
+  command->callback([options, &context] {
+    context.action = [options, &context] { return run_explain(*options, context); };
+  });
+}
+
+}  // namespace elastogen::selector

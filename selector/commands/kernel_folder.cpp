@@ -1,0 +1,125 @@
+#include "selector/commands/kernel_folder.h"
+
+#include <fmt/format.h>
+
+#include "runtime/error.h"
+#include "selector/support/files.h"
+#include "symgen/emit/content_hash.h"
+
+namespace elastogen::selector {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* manifest_name = "manifest.json";
+constexpr int manifest_version = 1;
+
+nlohmann::json empty_manifest() {
+  return {{"manifest_version", manifest_version},
+          {"generator", "elastogen " ELASTOGEN_VERSION},
+          {"associations", nlohmann::json::object()}};
+}
+
+nlohmann::json variant_summary(const symgen::VariantReport& variant) {
+  nlohmann::json flops = nlohmann::json::object();
+  for (const symgen::OperationReport& operation : variant.operations) {
+    flops[operation.name] = operation.flops;
+  }
+  return {{"geometry", variant.geometry},
+          {"constants", variant.num_constants},
+          {"state", variant.num_state},
+          {"flops", flops}};
+}
+
+symgen::Instantiation all_operations(bool single_precision) {
+  symgen::Instantiation what;
+  what.single_precision = single_precision;
+  what.operations = {"energy", "forces", "product", "linearize", "apply", "stiffness"};
+  return what;
+}
+
+std::string table_declarations(const symgen::AssociationId& id) {
+  return fmt::format(
+      "// Kernel tables of {0}; link {1}_f64.cpp and {1}_f32.cpp.\n"
+      "#pragma once\n\n"
+      "#include \"runtime/kernel_abi.h\"\n\n"
+      "extern \"C\" {{\n"
+      "const elastogen::KernelTable<double>* {2}();\n"
+      "const elastogen::KernelTable<float>* {3}();\n"
+      "}}\n",
+      id.text(), id.identifier(), symgen::registration_symbol(id, all_operations(false)),
+      symgen::registration_symbol(id, all_operations(true)));
+}
+
+}  // namespace
+
+SourceFiles source_files(const symgen::GeneratedAssociation& generated, const symgen::Law& law) {
+  const symgen::AssociationId& id = generated.id;
+  const std::string name = id.identifier();
+  return {{name + ".h", generated.header},
+          {name + "_tables.h", table_declarations(id)},
+          {name + "_f64.cpp", symgen::registration_source(id, law, all_operations(false))},
+          {name + "_f32.cpp", symgen::registration_source(id, law, all_operations(true))}};
+}
+
+KernelFolder::KernelFolder(fs::path folder)
+    : folder_(std::move(folder)), manifest_(empty_manifest()) {
+  std::error_code error;
+  if (fs::exists(folder_, error) && !fs::is_directory(folder_, error)) {
+    throw InputError(fmt::format("--out '{}' is a file; name a folder", folder_.string()));
+  }
+  const fs::path file = folder_ / manifest_name;
+  if (!fs::exists(file, error)) return;
+  nlohmann::json found =
+      nlohmann::json::parse(read_text_file(file, "manifest"), nullptr, /*allow_exceptions=*/false);
+  const bool ours = found.is_object() && found.value("manifest_version", 0) == manifest_version &&
+                    found.contains("associations") && found["associations"].is_object();
+  if (!ours) {
+    throw InputError(
+        fmt::format("'{}' is no manifest of generated kernels (version {}); remove "
+                    "it, or choose another folder with --out",
+                    file.string(), manifest_version));
+  }
+  manifest_["associations"] = std::move(found["associations"]);
+}
+
+bool KernelFolder::holds(const std::string& file, const std::string& hash) const {
+  std::error_code error;
+  const fs::path path = folder_ / file;
+  return fs::is_regular_file(path, error) &&
+         symgen::content_hash({read_text_file(path, "generated")}) == hash;
+}
+
+bool KernelFolder::is_up_to_date(const symgen::AssociationId& id, const std::string& hash) const {
+  const auto entry = manifest_["associations"].find(id.text());
+  if (entry == manifest_["associations"].end() || !entry->is_object()) return false;
+  if (entry->value("hash", "") != hash || !entry->contains("files")) return false;
+  for (const auto& [file, file_hash] : (*entry)["files"].items()) {
+    if (!file_hash.is_string() || !holds(file, file_hash.get<std::string>())) return false;
+  }
+  return true;
+}
+
+std::size_t KernelFolder::write(const symgen::GeneratedAssociation& generated,
+                                const KernelTarget& target, const SourceFiles& files) {
+  nlohmann::json entry = {{"hash", generated.hash},
+                          {"target", target.language},
+                          {"profile", target.profile},
+                          {"split", generated.chosen_split},
+                          {"files", nlohmann::json::object()},
+                          {"variants", nlohmann::json::array()}};
+  for (const symgen::VariantReport& variant : generated.variants) {
+    entry["variants"].push_back(variant_summary(variant));
+  }
+  std::size_t bytes = 0;
+  for (const auto& [name, text] : files) {
+    const std::string hash = symgen::content_hash({text});
+    entry["files"][name] = hash;
+    if (!holds(name, hash)) write_text_file(folder_ / name, text);
+    bytes += text.size();
+  }
+  manifest_["associations"][generated.id.text()] = std::move(entry);
+  write_text_file(folder_ / manifest_name, manifest_.dump(2) + "\n");
+  return bytes;
+}
+
+}  // namespace elastogen::selector

@@ -1,0 +1,58 @@
+// Deflection curves: mean displacement of each section of a bar, and distances between curves.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace elastogen::selector {
+
+/// Mean displacements of the sections x = constant of a bar, x ascending; metres.
+struct DeflectionCurve {
+  std::vector<double> x;
+  std::vector<std::array<double, 3>> displacement;
+
+  [[nodiscard]] std::size_t size() const { return x.size(); }
+};
+
+/// Mean over the nodes of each section.
+///
+/// @param x             position of each section
+/// @param sections      nodes of each section, at least one each
+/// @param displacement  [3 * node + component], metres
+[[nodiscard]] DeflectionCurve mean_of_sections(std::span<const double> x,
+                                               std::span<const std::vector<std::int32_t>> sections,
+                                               std::span<const double> displacement);
+
+/// Reads a curve: lines that start with '#' are comments, then the header `x,ux,uy,uz`, then one
+/// line of four numbers per section, x strictly ascending, two sections or more.
+/// @throws InputError  with file, line, what was found and what is allowed
+[[nodiscard]] DeflectionCurve read_curve_csv(const std::filesystem::path& file);
+
+/// Writes a curve in the same form, 17 digits, atomically.
+/// @param comment  one line, without '#'
+void write_curve_csv(const std::filesystem::path& file, const DeflectionCurve& curve,
+                     const std::string& comment);
+
+/// The curve at other positions, by the cubic spline through its sections with the not-a-knot
+/// condition (linear for two sections, parabolic for three): between the sections of a smooth
+/// deflection the error falls with the fourth power of their distance.
+/// @throws InputError  for a position outside the curve
+[[nodiscard]] DeflectionCurve interpolate(const DeflectionCurve& curve,
+                                          std::span<const double> positions);
+
+/// How far a deflection curve is from a reference.
+struct CurveDistance {
+  double mean_uz = 0;  ///< mean of |uz - reference| over the sections [m], as in thesis table 6.6
+  double tip_uz = 0;   ///< uz - reference at the last section [m], with its sign
+};
+
+/// Compares at the sections of `curve`; the reference is interpolated there.
+/// @throws InputError  when the reference does not reach from the first section to the last
+[[nodiscard]] CurveDistance distance(const DeflectionCurve& curve,
+                                     const DeflectionCurve& reference);
+
+}  // namespace elastogen::selector

@@ -1,0 +1,104 @@
+#include "selector/io/vtu.h"
+
+#include <fmt/format.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include "runtime/error.h"
+#include "selector/io/element_topology.h"
+#include "selector/support/files.h"
+
+namespace elastogen::selector {
+namespace {
+
+void add_cells(const Mesh& mesh, vtkUnstructuredGrid& grid) {
+  grid.Allocate(static_cast<vtkIdType>(mesh.num_elements()));
+  for (const ElementBlock& block : mesh.blocks) {
+    const ElementTopology& topology = element_topology(block.element);
+    std::vector<vtkIdType> cell(static_cast<std::size_t>(topology.num_nodes));
+    for (std::size_t e = 0; e < block.num_elements(); ++e) {
+      const auto nodes = block.element_nodes(e);
+      for (std::size_t k = 0; k < cell.size(); ++k) {
+        cell[k] = nodes[static_cast<std::size_t>(topology.vtk_order[k])];
+      }
+      grid.InsertNextCell(topology.vtk_cell_type, topology.num_nodes, cell.data());
+    }
+  }
+}
+
+vtkNew<vtkDoubleArray> double_array(const std::string& name, std::span<const double> values,
+                                    int components, std::size_t tuples) {
+  if (values.size() != tuples * static_cast<std::size_t>(components)) {
+    throw InternalError(fmt::format("result field '{}' has {} numbers for {} x {} of the mesh",
+                                    name, values.size(), tuples, components));
+  }
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    array->SetValue(static_cast<vtkIdType>(i), values[i]);
+  }
+  return array;
+}
+
+void add_labels(const ElementLabels& labels, std::size_t num_elements, vtkUnstructuredGrid& grid) {
+  if (labels.values.size() != num_elements) {
+    throw InternalError(fmt::format("result field '{}' has {} numbers for {} elements", labels.name,
+                                    labels.values.size(), num_elements));
+  }
+  vtkNew<vtkIntArray> array;
+  array->SetName(labels.name.c_str());
+  for (const std::int32_t value : labels.values) array->InsertNextValue(value);
+  grid.GetCellData()->AddArray(array);
+
+  vtkNew<vtkStringArray> names;
+  names->SetName((labels.name + "_names").c_str());
+  for (const std::string& name : labels.names) names->InsertNextValue(name);
+  grid.GetFieldData()->AddArray(names);
+}
+
+}  // namespace
+
+void write_vtu(const std::filesystem::path& file, const Mesh& mesh, const VtuFields& fields) {
+  if (mesh.dim != 3) {
+    throw InternalError(fmt::format("result files hold 3D meshes, not {}D ones", mesh.dim));
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.num_nodes()));
+  for (std::size_t i = 0; i < mesh.num_nodes(); ++i) {
+    points->SetPoint(static_cast<vtkIdType>(i), &mesh.positions[3 * i]);
+  }
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(points);
+  add_cells(mesh, *grid);
+  for (const NodeField& field : fields.nodes) {
+    grid->GetPointData()->AddArray(double_array(field.name, field.values, 3, mesh.num_nodes()));
+  }
+  for (const ElementField& field : fields.elements) {
+    grid->GetCellData()->AddArray(double_array(field.name, field.values, 1, mesh.num_elements()));
+  }
+  for (const ElementLabels& labels : fields.labels) {
+    add_labels(labels, mesh.num_elements(), *grid);
+  }
+
+  // Through memory: a writer that opens files itself prints its troubles instead of telling them.
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(grid);
+  writer->WriteToOutputStringOn();
+  if (writer->Write() != 1) {
+    throw WorkError(fmt::format("{}: VTK cannot write this mesh", file.string()));
+  }
+  write_text_file(file, writer->GetOutputString());
+}
+
+}  // namespace elastogen::selector

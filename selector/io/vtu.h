@@ -1,0 +1,48 @@
+// Results for ParaView and other programs that read VTK's XML files.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "runtime/mesh.h"
+
+namespace elastogen::selector {
+
+/// A quantity per node, 3 components each: values[3 * node + component].
+struct NodeField {
+  std::string name;
+  std::span<const double> values;
+};
+
+/// A quantity per element, in the mesh's numbering through the blocks.
+struct ElementField {
+  std::string name;
+  std::span<const double> values;
+};
+
+/// A choice per element: values[element] is an index into `names`.
+struct ElementLabels {
+  std::string name;
+  std::vector<std::int32_t> values;
+  std::vector<std::string> names;
+};
+
+/// What stands in a result file beside the mesh.
+struct VtuFields {
+  std::vector<NodeField> nodes;
+  std::vector<ElementField> elements;
+  std::vector<ElementLabels> labels;
+};
+
+/// Writes the mesh at rest with its fields as a binary VTK XML unstructured grid, atomically.
+/// Fields become point and cell data under their names; labels become integer cell data NAME and
+/// the string array NAME_names in the field data (names[value]). Warping by the point data
+/// "displacement" shows the deformed shape.
+/// @throws InternalError  when a field's size does not fit the mesh
+/// @throws WorkError      when the file cannot be written
+void write_vtu(const std::filesystem::path& file, const Mesh& mesh, const VtuFields& fields);
+
+}  // namespace elastogen::selector

@@ -1,0 +1,126 @@
+// elastogen: the command line.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "runtime/error.h"
+#include "selector/commands/command.h"
+#include "selector/commands/evaluate.h"
+#include "selector/commands/explain.h"
+#include "selector/commands/generate.h"
+#include "selector/commands/list.h"
+#include "selector/commands/run.h"
+#include "selector/support/names.h"
+
+namespace {
+
+using elastogen::selector::Context;
+
+constexpr int exit_work_failed = 1;
+constexpr int exit_wrong_call = 2;
+
+constexpr const char* footer =
+    R"(An association is law-element-quadrature-split, as in stvk-hexa8-q8-none.
+
+Examples:
+  elastogen run scenes/mixed_beam.toml --out out/mixed_beam   simulate, with kernels made on the fly
+  elastogen list --law stvk --element hexa8                   which associations there are
+  elastogen explain stvk-hexa8-q8-auto                        what one costs, and why
+  elastogen generate 'stvk-*-q8-none' --out kernels           C++ sources for your own program
+  elastogen evaluate hooke-tet4-q1-none --input case.json     one element, by numbers
+
+Exit status: 0, 1 the work failed (no convergence, no compiler, disk full), 2 the call was wrong.
+Environment: CXX (compiler), ELASTOGEN_LAWS (law folders), ELASTOGEN_CACHE_DIR (compiled kernels).)";
+
+void declare(CLI::App& app, Context& context) {
+  app.description("Kernels for elastic solids, generated from energies, and scenes run with them");
+  app.footer(footer);
+  app.set_version_flag("--version", "elastogen " ELASTOGEN_VERSION);
+  app.require_subcommand(1);
+  app.fallthrough();
+  app.add_option("--laws", context.user_law_folders,
+                 "Folder of law files, searched first; repeatable")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+  app.add_option("--profile", context.profile, "Target profile that costs are weighed for")
+      ->check(CLI::IsMember(elastogen::symgen::profile_names()))
+      ->capture_default_str();
+  app.add_option("--threads", context.threads, "Threads; 0: all of the machine")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str();
+  app.add_flag("--no-cache", context.no_cache, "Compile kernels anew, and keep nothing");
+  app.add_flag("--quiet", context.quiet, "No progress on standard error");
+  elastogen::selector::add_list_command(app, context);
+  elastogen::selector::add_explain_command(app, context);
+  elastogen::selector::add_generate_command(app, context);
+  elastogen::selector::add_evaluate_command(app, context);
+  elastogen::selector::add_run_command(app, context);
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
+/// Words that the command line may hold: commands, or options of the command that was given.
+std::string suggestion(const CLI::App& app, const std::string& word) {
+  if (!word.starts_with("-")) return elastogen::selector::did_you_mean(word, command_names(app));
+  std::vector<std::string> known;
+  const auto add_options = [&](const CLI::App& owner) {
+    for (const CLI::Option* option : owner.get_options()) {
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    }
+  };
+  add_options(app);
+  for (const CLI::App* command : app.get_subcommands()) add_options(*command);
+  return elastogen::selector::did_you_mean(word, known);
+}
+
+int report_wrong_call(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> extras = app.remaining(true);
+  std::string message = error.what();
+  if (extras.empty() && app.get_subcommands().empty() && error.get_name() == "RequiredError") {
+    message = "no command; say what to do: " + elastogen::selector::join(command_names(app), ", ");
+  } else if (!extras.empty()) {
+    const std::string& word = extras.front();
+    const bool is_command = app.get_subcommands().empty() && !word.starts_with("-");
+    const char* kind = is_command ? "command" : word.starts_with("-") ? "option" : "argument";
+    const std::string nearest = is_command || word.starts_with("-") ? suggestion(app, word) : "";
+    message = fmt::format("unknown {} '{}'{}", kind, word, nearest);
+  }
+  fmt::print(stderr, "error: {}\n(elastogen --help explains the call)\n", message);
+  return exit_wrong_call;
+}
+
+int report(const char* text, int status) {
+  fmt::print(stderr, "error: {}\n", text);
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app;
+  Context context;
+  declare(app, context);
+  try {
+    app.parse(argc, argv);
+    return context.action();
+  } catch (const CLI::Success& help_or_version) {
+    return app.exit(help_or_version);
+  } catch (const CLI::ParseError& error) {
+    return report_wrong_call(app, error);
+  } catch (const elastogen::InputError& error) {
+    return report(error.what(), exit_wrong_call);
+  } catch (const elastogen::InternalError& error) {
+    return report(fmt::format("internal error (a bug of elastogen): {}", error.what()).c_str(),
+                  exit_work_failed);
+  } catch (const std::exception& error) {
+    return report(error.what(), exit_work_failed);
+  }
+}

@@ -1,0 +1,185 @@
+#include "selector/scene/bar_mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "runtime/error.h"
+#include "selector/io/element_topology.h"
+#include "selector/io/mesh_faces.h"
+#include "selector/scene/cube_cuts.h"
+#include "selector/scene/located_error.h"
+
+namespace elastogen::selector {
+namespace {
+
+/// First cell layer after a section.
+int end_layer(const BarDescription& bar, const SectionDescription& section) {
+  const double layers = section.until * bar.cells[0];
+  const double nearest = std::round(layers);
+  if (std::abs(layers - nearest) > 1e-9 * bar.cells[0] || nearest < 1) {
+    throw InputError(fmt::format(
+        "{}: {}.until = {}: the section ends inside a cell, after {:.6g} of the bar's {} cells "
+        "along x: take a number of cells that is divisible, or until = {:.6g}",
+        section.where, section.path, section.until, layers, bar.cells[0],
+        std::max(nearest, 1.0) / bar.cells[0]));
+  }
+  return static_cast<int>(nearest);
+}
+
+/// Node numbers of a bar's grid: plane 0, centres of layer 0, plane 1, ...
+class BarGrid {
+ public:
+  BarGrid(const BarDescription& bar, const std::vector<bool>& layer_has_centres)
+      : cells_(bar.cells), layer_has_centres_(layer_has_centres) {
+    std::size_t next = 0;
+    for (int i = 0; i <= cells_[0]; ++i) {
+      plane_start_.push_back(next);
+      next += plane_size();
+      if (i < cells_[0] && layer_has_centres_[static_cast<std::size_t>(i)]) {
+        next += static_cast<std::size_t>(cells_[1]) * static_cast<std::size_t>(cells_[2]);
+      }
+    }
+    num_nodes_ = next;
+  }
+
+  [[nodiscard]] std::size_t num_nodes() const { return num_nodes_; }
+  [[nodiscard]] std::size_t plane_size() const {
+    return static_cast<std::size_t>(cells_[1] + 1) * static_cast<std::size_t>(cells_[2] + 1);
+  }
+  [[nodiscard]] std::size_t grid_node(int i, int j, int k) const {
+    return plane_start_[static_cast<std::size_t>(i)] +
+           static_cast<std::size_t>(j) * static_cast<std::size_t>(cells_[2] + 1) +
+           static_cast<std::size_t>(k);
+  }
+  [[nodiscard]] std::size_t centre_node(int i, int j, int k) const {
+    return plane_start_[static_cast<std::size_t>(i)] + plane_size() +
+           static_cast<std::size_t>(j) * static_cast<std::size_t>(cells_[2]) +
+           static_cast<std::size_t>(k);
+  }
+  /// Corners in hexa8 order, then the centre (which exists only in layers that have centres).
+  [[nodiscard]] std::array<std::int32_t, 9> cell_nodes(int i, int j, int k) const {
+    const std::array<std::size_t, 9> nodes = {grid_node(i, j, k),
+                                              grid_node(i + 1, j, k),
+                                              grid_node(i + 1, j + 1, k),
+                                              grid_node(i, j + 1, k),
+                                              grid_node(i, j, k + 1),
+                                              grid_node(i + 1, j, k + 1),
+                                              grid_node(i + 1, j + 1, k + 1),
+                                              grid_node(i, j + 1, k + 1),
+                                              centre_node(i, j, k)};
+    std::array<std::int32_t, 9> narrow{};
+    std::transform(nodes.begin(), nodes.end(), narrow.begin(),
+                   [](std::size_t node) { return static_cast<std::int32_t>(node); });
+    return narrow;
+  }
+
+ private:
+  std::array<int, 3> cells_;
+  std::vector<bool> layer_has_centres_;
+  std::vector<std::size_t> plane_start_;
+  std::size_t num_nodes_ = 0;
+};
+
+/// Coordinates in halves of cells, so that centres have whole numbers, too.
+void set_position(const BarDescription& bar, std::array<int, 3> halves, std::size_t node,
+                  Mesh& mesh) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    mesh.positions[3 * node + c] = bar.size[c] * halves[c] / (2.0 * bar.cells[c]);
+  }
+}
+
+void set_positions(const BarDescription& bar, const BarGrid& grid,
+                   const std::vector<bool>& layer_has_centres, Mesh& mesh) {
+  mesh.positions.resize(3 * grid.num_nodes());
+  const auto& [nx, ny, nz] = bar.cells;
+  for (int i = 0; i <= nx; ++i) {
+    for (int j = 0; j <= ny; ++j) {
+      for (int k = 0; k <= nz; ++k) {
+        set_position(bar, {2 * i, 2 * j, 2 * k}, grid.grid_node(i, j, k), mesh);
+      }
+    }
+    if (i == nx || !layer_has_centres[static_cast<std::size_t>(i)]) continue;
+    for (int j = 0; j < ny; ++j) {
+      for (int k = 0; k < nz; ++k) {
+        set_position(bar, {2 * i + 1, 2 * j + 1, 2 * k + 1}, grid.centre_node(i, j, k), mesh);
+      }
+    }
+  }
+}
+
+/// Cells [first, last) along x, cut into one block.
+ElementBlock cut_layers(const BarDescription& bar, const BarGrid& grid, const std::string& element,
+                        int first, int last, std::int32_t region) {
+  const CubeCut& cut = cube_cut(element);
+  ElementBlock block;
+  block.element = element;
+  block.nodes_per_element = element_topology(element).num_nodes;
+  for (int i = first; i < last; ++i) {
+    for (int j = 0; j < bar.cells[1]; ++j) {
+      for (int k = 0; k < bar.cells[2]; ++k) {
+        const std::array<std::int32_t, 9> cell = grid.cell_nodes(i, j, k);
+        for (const std::vector<int>& nodes : cut.elements) {
+          for (const int node : nodes) block.nodes.push_back(cell[static_cast<std::size_t>(node)]);
+          block.region.push_back(region);
+        }
+      }
+    }
+  }
+  return block;
+}
+
+/// A number that the runtime can still count with.
+void check_size(const BarDescription& bar) {
+  double nodes = 2;  // grid nodes and centres
+  for (const int cells : bar.cells) nodes *= cells + 1.0;
+  constexpr double most = std::numeric_limits<std::int32_t>::max() / 3.0;
+  if (nodes > most) {
+    throw InputError(
+        fmt::format("{}: bar.cells = [{}, {}, {}]: too many for node numbers of 32 "
+                    "bits: take fewer",
+                    bar.where, bar.cells[0], bar.cells[1], bar.cells[2]));
+  }
+}
+
+}  // namespace
+
+SceneMesh make_bar(const BarDescription& bar) {
+  check_size(bar);
+  std::vector<bool> layer_has_centres;
+  std::vector<int> ends;
+  for (const SectionDescription& section : bar.sections) {
+    const CubeCut& cut =
+        with_location(section.where, section.path + ".association",
+                      [&]() -> const CubeCut& { return cube_cut(section.association.element); });
+    ends.push_back(end_layer(bar, section));
+    layer_has_centres.resize(static_cast<std::size_t>(ends.back()), cut.uses_centre);
+  }
+
+  const BarGrid grid(bar, layer_has_centres);
+  SceneMesh result;
+  set_positions(bar, grid, layer_has_centres, result.mesh);
+  int first = 0;
+  for (std::size_t s = 0; s < bar.sections.size(); ++s) {
+    const SectionDescription& section = bar.sections[s];
+    const std::int32_t region = region_number(result.mesh, section.region);
+    result.mesh.blocks.push_back(
+        cut_layers(bar, grid, section.association.element, first, ends[s], region));
+    result.blocks.push_back({section.where, section.path, section.association, section.region});
+    first = ends[s];
+  }
+  for (int i = 0; i <= bar.cells[0]; ++i) {
+    result.section_x.push_back(bar.size[0] * i / bar.cells[0]);
+    std::vector<std::int32_t>& nodes = result.section_nodes.emplace_back(grid.plane_size());
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      nodes[n] = static_cast<std::int32_t>(grid.grid_node(i, 0, 0) + n);
+    }
+  }
+  result.split_quadrilaterals = match_faces(result.mesh).split_quadrilaterals.size();
+  return result;
+}
+
+}  // namespace elastogen::selector

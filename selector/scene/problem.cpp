@@ -1,0 +1,149 @@
+#include "selector/scene/problem.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runtime/error.h"
+#include "selector/scene/located_error.h"
+#include "selector/scene/materials.h"
+#include "selector/scene/rigid_motions.h"
+#include "selector/scene/select_nodes.h"
+
+namespace elastogen::selector {
+namespace {
+
+/// The laws of all associations. A law that the scene lists itself hides one of the same name in
+/// the folders.
+std::map<std::string, symgen::Law> read_laws(
+    const Scene& scene, const std::vector<SceneMesh::Block>& blocks,
+    const std::vector<std::filesystem::path>& law_folders) {
+  std::map<std::string, symgen::Law> own, used;
+  for (const std::filesystem::path& file : scene.law_files) {
+    symgen::Law law = symgen::read_law(file);
+    own.insert_or_assign(law.name, std::move(law));
+  }
+  for (const SceneMesh::Block& block : blocks) {
+    const std::string& name = block.association.law;
+    if (used.contains(name)) continue;
+    const auto listed = own.find(name);
+    used.emplace(name, listed != own.end()
+                           ? listed->second
+                           : with_location(block.where, block.path + ".association", [&] {
+                               return symgen::read_law(symgen::find_law_file(name, law_folders));
+                             }));
+  }
+  return used;
+}
+
+/// A rule for polynomial laws only must not meet another.
+void check_quadrature(const SceneMesh::Block& block, const symgen::Law& law) {
+  const symgen::AssociationId& id = block.association;
+  if (symgen::find_quadrature(id.element, id.quadrature).polynomial_laws_only && !law.polynomial) {
+    throw InputError(fmt::format(
+        "{}: {}.association = '{}': the quadrature '{}' is only for laws that are polynomials of "
+        "the displacement gradient, which '{}' is not: take one of {}",
+        block.where, block.path, id.text(), id.quadrature, law.name,
+        fmt::join(symgen::quadrature_names(id.element), ", ")));
+  }
+}
+
+std::vector<BlockMaterial> block_materials(const Scene& scene,
+                                           const std::vector<SceneMesh::Block>& blocks,
+                                           const std::map<std::string, symgen::Law>& laws) {
+  const std::vector<std::size_t> material_of = materials_of_blocks(scene.materials, blocks);
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    std::vector<const symgen::Law*> its_laws;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+      if (material_of[b] == m) its_laws.push_back(&laws.at(blocks[b].association.law));
+    }
+    check_material_keys(scene.materials[m], its_laws);
+  }
+  std::vector<BlockMaterial> result;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const symgen::Law& law = laws.at(blocks[b].association.law);
+    check_quadrature(blocks[b], law);
+    const MaterialDescription& material = scene.materials[material_of[b]];
+    result.push_back({law.name, law_parameters(material, law), material.density});
+  }
+  return result;
+}
+
+Constraints make_constraints(const Scene& scene, const Mesh& mesh) {
+  Constraints constraints(mesh.num_nodes(), mesh.dim);
+  for (const ConstraintDescription& description : scene.constraints) {
+    for (const std::int32_t node : select_nodes(mesh, description.nodes)) {
+      for (int c = 0; c < 3; ++c) {
+        const std::optional<double>& value = description.displacement[static_cast<std::size_t>(c)];
+        if (!value) continue;
+        with_location(description.nodes.where, "constraint",
+                      [&] { constraints.prescribe(static_cast<std::size_t>(node), c, *value); });
+      }
+    }
+  }
+  return constraints;
+}
+
+void check_held(const Scene& scene, const Mesh& mesh, const Constraints& constraints) {
+  const std::string remedy =
+      "fix enough with [[constraint]], for instance a whole face: "
+      "plane = { x = 0 }, fixed = [\"x\", \"y\", \"z\"]";
+  if (constraints.num_constrained() == 0) {
+    throw InputError(fmt::format("{}: nothing is fixed, statics has no answer: {}",
+                                 scene.file.string(), remedy));
+  }
+  const FreeRigidMotion motion = find_free_rigid_motion(mesh, constraints);
+  if (motion.count > 0) {
+    throw InputError(fmt::format(
+        "{}: the constraints leave {} of the 6 rigid motions of {}, for example {}: statics has no "
+        "answer; {}",
+        scene.file.string(), motion.count,
+        motion.num_parts == 1 ? "the body"
+                              : fmt::format("the part with node {} (the mesh has {} parts)",
+                                            motion.node, motion.num_parts),
+        motion.example, remedy));
+  }
+}
+
+std::vector<NodalForce> make_forces(const Scene& scene, const Mesh& mesh) {
+  std::vector<NodalForce> forces;
+  for (const LoadDescription& load : scene.loads) {
+    const std::vector<std::int32_t> nodes = select_nodes(mesh, load.nodes);
+    std::array<double, 3> share = load.force;
+    for (double& component : share) component /= static_cast<double>(nodes.size());
+    for (const std::int32_t node : nodes) {
+      forces.push_back({static_cast<std::size_t>(node), share});
+    }
+  }
+  return forces;
+}
+
+/// The curve, known to reach over the whole bar.
+std::optional<DeflectionCurve> read_reference(const Scene& scene, const SceneMesh& mesh) {
+  if (!scene.reference) return std::nullopt;
+  return with_location(scene.reference->where, "reference.file", [&] {
+    DeflectionCurve curve = read_curve_csv(scene.reference->file);
+    (void)interpolate(curve, mesh.section_x);
+    return std::optional(std::move(curve));
+  });
+}
+
+}  // namespace
+
+Problem prepare(const Scene& scene, const std::vector<std::filesystem::path>& law_folders) {
+  SceneMesh mesh = make_mesh(scene);
+  std::map<std::string, symgen::Law> laws = read_laws(scene, mesh.blocks, law_folders);
+  std::vector<BlockMaterial> materials = block_materials(scene, mesh.blocks, laws);
+  Constraints constraints = make_constraints(scene, mesh.mesh);
+  check_held(scene, mesh.mesh, constraints);
+  std::vector<NodalForce> forces = make_forces(scene, mesh.mesh);
+  std::vector<Probe> probes;
+  for (const ProbeDescription& probe : scene.probes) {
+    probes.push_back({probe.name, select_nodes(mesh.mesh, probe.nodes)});
+  }
+  std::optional<DeflectionCurve> reference = read_reference(scene, mesh);
+  return {std::move(mesh),   std::move(laws),   std::move(materials), std::move(constraints),
+          std::move(forces), std::move(probes), std::move(reference)};
+}
+
+}  // namespace elastogen::selector

@@ -1,0 +1,284 @@
+#include "selector/scene/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "runtime/error.h"
+#include "selector/scene/located_error.h"
+
+namespace elastogen::selector {
+namespace {
+
+const std::vector<std::string> axes = {"x", "y", "z"};
+
+std::size_t axis_number(const std::string& axis) {
+  return static_cast<std::size_t>(std::find(axes.begin(), axes.end(), axis) - axes.begin());
+}
+
+std::filesystem::path beside_scene(const TomlTable& table, const std::string& file) {
+  return std::filesystem::absolute(table.file()).parent_path() / file;
+}
+
+symgen::AssociationId read_association(const TomlTable& table) {
+  const std::string text = table.string("association");
+  return with_location(table.where("association"), table.path_of("association"),
+                       [&] { return symgen::AssociationId::parse(text); });
+}
+
+NodeSelection read_plane(const TomlTable& plane) {
+  plane.allow_only(axes);
+  const std::vector<std::string> keys = plane.keys();
+  if (keys.size() != 1) plane.fail("must give one of x, y, z: { x = 0 }");
+  constexpr double inf = no_limit;
+  NodeSelection nodes{plane.where(), "", {-inf, -inf, -inf}, {inf, inf, inf}};
+  const std::size_t axis = axis_number(keys.front());
+  nodes.minimum[axis] = nodes.maximum[axis] = plane.number(keys.front(), any_number);
+  nodes.description = fmt::format("plane {} = {}", keys.front(), nodes.minimum[axis]);
+  return nodes;
+}
+
+NodeSelection read_box(const TomlTable& box) {
+  box.allow_only({"min", "max"});
+  NodeSelection nodes{box.where(), "", box.vector("min"), box.vector("max")};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (nodes.minimum[i] > nodes.maximum[i]) {
+      box.fail("min", fmt::format("must not exceed max; along {} it does: {} > {}", axes[i],
+                                  nodes.minimum[i], nodes.maximum[i]));
+    }
+  }
+  nodes.description =
+      fmt::format("box [{}, {}, {}] to [{}, {}, {}]", nodes.minimum[0], nodes.minimum[1],
+                  nodes.minimum[2], nodes.maximum[0], nodes.maximum[1], nodes.maximum[2]);
+  return nodes;
+}
+
+NodeSelection read_selection(const TomlTable& table) {
+  if (table.has("plane") == table.has("box")) {
+    table.fail(
+        "needs either plane = { x = 0 } or box = { min = [0, 0, 0], max = [1, 1, 1] } "
+        "to select nodes");
+  }
+  return table.has("plane") ? read_plane(table.table("plane")) : read_box(table.table("box"));
+}
+
+SectionDescription read_section(const TomlTable& table) {
+  table.allow_only({"until", "association", "region"});
+  SectionDescription section;
+  section.where = table.where();
+  section.path = table.path();
+  section.until = table.number("until", {0, 1, true, false});
+  section.association = read_association(table);
+  section.region = table.string("region");
+  return section;
+}
+
+std::vector<SectionDescription> read_sections(const TomlTable& bar) {
+  std::vector<SectionDescription> sections;
+  double before = 0;
+  for (const TomlTable& table : bar.tables("section")) {
+    sections.push_back(read_section(table));
+    if (sections.back().until <= before) {
+      table.fail("until",
+                 fmt::format("must be greater than {}, where the section before it ends", before));
+    }
+    before = sections.back().until;
+  }
+  if (sections.empty()) bar.fail("has no elements: add at least one [[bar.section]]");
+  if (before != 1) {
+    bar.tables("section").back().fail("until", "must be 1 in the last section: the bar's end");
+  }
+  return sections;
+}
+
+BarDescription read_bar(const TomlTable& table) {
+  table.allow_only({"length", "width", "height", "cells", "section"});
+  BarDescription bar;
+  bar.where = table.where();
+  bar.size = {table.number("length", positive_number), table.number("width", positive_number),
+              table.number("height", positive_number)};
+  const std::vector<int> cells = table.integers("cells", 3, 1);
+  bar.cells = {cells[0], cells[1], cells[2]};
+  bar.sections = read_sections(table);
+  return bar;
+}
+
+BlockDescription read_block(const TomlTable& table) {
+  table.allow_only({"association", "region", "elements"});
+  BlockDescription block;
+  block.where = table.where();
+  block.path = table.path();
+  block.association = read_association(table);
+  block.region = table.string("region");
+  const auto num_nodes =
+      with_location(table.where("association"), table.path_of("association"),
+                    [&] { return symgen::find_element(block.association.element).num_nodes(); });
+  block.elements = table.integer_rows("elements", static_cast<std::size_t>(num_nodes));
+  if (block.elements.empty()) table.fail("elements", "must have one element or more");
+  return block;
+}
+
+ExplicitMeshDescription read_mesh(const TomlTable& table) {
+  table.allow_only({"nodes", "block"});
+  ExplicitMeshDescription mesh;
+  mesh.where = table.where();
+  mesh.nodes = table.rows("nodes", 3);
+  for (const TomlTable& block : table.tables("block")) mesh.blocks.push_back(read_block(block));
+  if (mesh.blocks.empty()) table.fail("has no elements: add at least one [[mesh.block]]");
+  return mesh;
+}
+
+std::vector<MaterialDescription> read_materials(const TomlTable& materials) {
+  std::vector<MaterialDescription> found;
+  std::set<std::string> taken;
+  for (const std::string& name : materials.keys()) {
+    const TomlTable table = materials.table(name);
+    MaterialDescription material{name, {name}, table.number("density", not_negative), table};
+    if (table.has("regions")) material.regions = table.strings("regions");
+    for (const std::string& region : material.regions) {
+      if (!taken.insert(region).second) {
+        table.fail(fmt::format("region '{}' has a material already: a region has one", region));
+      }
+    }
+    found.push_back(std::move(material));
+  }
+  return found;
+}
+
+ConstraintDescription read_constraint(const TomlTable& table) {
+  table.allow_only({"plane", "box", "fixed", "displacement"});
+  ConstraintDescription constraint;
+  constraint.nodes = read_selection(table);
+  if (table.has("fixed")) {
+    for (const std::string& axis : table.strings("fixed")) {
+      if (axis_number(axis) == axes.size()) {
+        table.fail("fixed", fmt::format("'{}' is no component: x, y, z are", axis));
+      }
+      constraint.displacement[axis_number(axis)] = 0;
+    }
+  }
+  if (table.has("displacement")) {
+    const TomlTable displacement = table.table("displacement");
+    displacement.allow_only(axes);
+    for (const std::string& axis : displacement.keys()) {
+      std::optional<double>& component = constraint.displacement[axis_number(axis)];
+      if (component) displacement.fail(axis, "this component stands in 'fixed', too");
+      component = displacement.number(axis, any_number);
+    }
+  }
+  const auto& components = constraint.displacement;
+  if (std::none_of(components.begin(), components.end(), [](const auto& c) { return !!c; })) {
+    table.fail(
+        "constrains nothing: give fixed = [\"x\", \"y\", \"z\"] or displacement = { z = 1 }");
+  }
+  return constraint;
+}
+
+LoadDescription read_load(const TomlTable& table) {
+  table.allow_only({"plane", "box", "force"});
+  return {read_selection(table), table.vector("force")};
+}
+
+std::vector<ProbeDescription> read_probes(const TomlTable& scene) {
+  std::vector<ProbeDescription> probes;
+  for (const TomlTable& table : scene.tables("probe")) {
+    table.allow_only({"name", "plane", "box"});
+    const std::string name = table.string("name");
+    for (const ProbeDescription& probe : probes) {
+      if (probe.name == name) table.fail("name", "another probe has this name");
+    }
+    probes.push_back({name, read_selection(table)});
+  }
+  return probes;
+}
+
+SolverSettings read_solver(const TomlTable& table) {
+  table.allow_only({"method", "tolerance", "max_iterations", "load_steps", "threads"});
+  SolverSettings solver;
+  if (table.has("method")) {
+    solver.method = table.choice("method", {"cholesky", "cg"}) == "cg"
+                        ? LinearSolverKind::conjugate_gradient
+                        : LinearSolverKind::cholesky;
+  }
+  if (table.has("tolerance")) solver.tolerance = table.number("tolerance", {0, 1, true, true});
+  if (table.has("max_iterations")) solver.max_iterations = table.integer("max_iterations", 1);
+  if (table.has("load_steps")) solver.load_steps = table.integer("load_steps", 1);
+  if (table.has("threads")) solver.threads = table.integer("threads", 0);
+  return solver;
+}
+
+OutputSettings read_output(const TomlTable& table, bool has_curve) {
+  table.allow_only({"write"});
+  OutputSettings output{false, false, false};
+  for (const std::string& name : table.strings("write")) {
+    if (name == "vtu") {
+      output.vtu = true;
+    } else if (name == "curve") {
+      if (!has_curve) table.fail("write", "a deflection curve needs a [bar]");
+      output.curve = true;
+    } else if (name == "picture") {
+      output.picture = true;
+    } else {
+      table.fail("write", fmt::format("'{}' is no output: vtu, curve, picture are", name));
+    }
+  }
+  return output;
+}
+
+ReferenceDescription read_reference(const TomlTable& table) {
+  table.allow_only({"file", "label"});
+  return {table.where("file"), beside_scene(table, table.string("file")),
+          table.has("label") ? table.string("label") : "reference"};
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& file) {
+  const TomlTable table = TomlTable::open(file);
+  table.allow_only({"title", "laws", "gravity", "bar", "mesh", "material", "constraint", "load",
+                    "probe", "solver", "output", "reference"});
+  Scene scene;
+  scene.file = file;
+  scene.title = table.has("title") ? table.string("title") : file.stem().string();
+  if (table.has("laws")) {
+    for (const std::string& law : table.strings("laws")) {
+      scene.law_files.push_back(beside_scene(table, law));
+      if (!std::filesystem::is_regular_file(scene.law_files.back())) {
+        table.fail("laws", fmt::format("there is no file '{}': paths start at the scene's folder",
+                                       scene.law_files.back().string()));
+      }
+    }
+  }
+  if (table.has("gravity")) scene.gravity = table.vector("gravity");
+
+  if (table.has("bar") == table.has("mesh")) {
+    table.fail("a scene needs either a [bar] or a [mesh], and not both");
+  }
+  if (table.has("bar")) scene.bar = read_bar(table.table("bar"));
+  if (table.has("mesh")) scene.mesh = read_mesh(table.table("mesh"));
+  if (!table.has("material")) {
+    table.fail("there is no material: add [material.NAME] with density, young and poisson");
+  }
+  scene.materials = read_materials(table.table("material"));
+
+  for (const TomlTable& constraint : table.tables("constraint")) {
+    scene.constraints.push_back(read_constraint(constraint));
+  }
+  for (const TomlTable& load : table.tables("load")) scene.loads.push_back(read_load(load));
+  scene.probes = read_probes(table);
+  if (table.has("solver")) scene.solver = read_solver(table.table("solver"));
+  scene.output.curve = scene.bar.has_value();
+  if (table.has("output")) {
+    scene.output = read_output(table.table("output"), scene.bar.has_value());
+  }
+  if (table.has("reference")) {
+    scene.reference = read_reference(table.table("reference"));
+    if (!scene.output.curve) {
+      table.table("reference").fail("needs a deflection curve: a [bar], and \"curve\" in output");
+    }
+  }
+  return scene;
+}
+
+}  // namespace elastogen::selector

@@ -1,0 +1,121 @@
+// What a scene file says, as records. docs/scene.md describes the file key by key.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/linear_solver.h"
+#include "selector/scene/toml_table.h"
+#include "symgen/pipeline.h"
+
+namespace elastogen::selector {
+
+/// Nodes by position: those inside a box, limits included. A plane is a box without thickness.
+struct NodeSelection {
+  std::string where;                           ///< "scene.toml:14", for messages
+  std::string description;                     ///< "plane x = 8"
+  std::array<double, 3> minimum{}, maximum{};  ///< metres; infinite where not limited
+};
+
+/// A part of a bar along x, cut into elements of one kind.
+struct SectionDescription {
+  std::string where;
+  std::string path;  ///< "bar.section[1]"
+  double until = 1;  ///< end, as a fraction of the bar's length
+  symgen::AssociationId association;
+  std::string region;
+};
+
+/// A bar [0, length] x [0, width] x [0, height], divided into a grid of cells that every section
+/// cuts into its elements (thesis, section 5.3 and codes 19 and 23).
+struct BarDescription {
+  std::string where;
+  std::array<double, 3> size{};  ///< length, width, height: along x, y, z [m]
+  std::array<int, 3> cells{};    ///< along x, y, z
+  std::vector<SectionDescription> sections;
+};
+
+/// Elements written out by hand.
+struct BlockDescription {
+  std::string where;
+  std::string path;  ///< "mesh.block[1]"
+  symgen::AssociationId association;
+  std::string region;
+  std::vector<std::vector<int>> elements;  ///< node numbers from 0, in the element's order
+};
+
+struct ExplicitMeshDescription {
+  std::string where;
+  std::vector<std::vector<double>> nodes;  ///< three coordinates each
+  std::vector<BlockDescription> blocks;
+};
+
+/// The law's parameters stay in the table: which keys it may have depends on the laws of the
+/// regions that use the material.
+struct MaterialDescription {
+  std::string name;
+  std::vector<std::string> regions;
+  double density = 0;
+  TomlTable table;
+};
+
+struct ConstraintDescription {
+  NodeSelection nodes;
+  std::array<std::optional<double>, 3> displacement;  ///< of each component; 0: fixed; none: free
+};
+
+struct LoadDescription {
+  NodeSelection nodes;
+  std::array<double, 3> force{};  ///< total [N], spread evenly over the nodes
+};
+
+struct ProbeDescription {
+  std::string name;
+  NodeSelection nodes;
+};
+
+struct SolverSettings {
+  LinearSolverKind method = LinearSolverKind::cholesky;
+  double tolerance = 1e-8;
+  int max_iterations = 100;
+  int load_steps = 1;
+  int threads = 0;  ///< 0: all
+};
+
+struct OutputSettings {
+  bool vtu = true;
+  bool curve = true;  ///< only of bars
+  bool picture = true;
+};
+
+/// A curve that results are compared with.
+struct ReferenceDescription {
+  std::string where;
+  std::filesystem::path file;  ///< relative ones start at the scene file's folder
+  std::string label;
+};
+
+struct Scene {
+  std::filesystem::path file;
+  std::string title;
+  std::vector<std::filesystem::path> law_files;
+  std::array<double, 3> gravity{};
+  std::optional<BarDescription> bar;  ///< a scene has either a bar or a mesh
+  std::optional<ExplicitMeshDescription> mesh;
+  std::vector<MaterialDescription> materials;
+  std::vector<ConstraintDescription> constraints;
+  std::vector<LoadDescription> loads;
+  std::vector<ProbeDescription> probes;
+  SolverSettings solver;
+  OutputSettings output;
+  std::optional<ReferenceDescription> reference;
+};
+
+/// Reads a scene file and checks all that can be checked without laws and mesh.
+/// @throws InputError  with file, line, what was found and what is allowed
+[[nodiscard]] Scene read_scene(const std::filesystem::path& file);
+
+}  // namespace elastogen::selector

@@ -1,0 +1,37 @@
+// From a scene's bar or hand-written elements to a checked mesh.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/mesh.h"
+#include "selector/scene/scene.h"
+
+namespace elastogen::selector {
+
+/// A mesh with what belongs to its blocks and sections.
+struct SceneMesh {
+  /// What the elements of one block are computed with.
+  struct Block {
+    std::string where;  ///< in the scene file
+    std::string path;   ///< "bar.section[1]"
+    symgen::AssociationId association;
+    std::string region;
+  };
+
+  Mesh mesh;                      ///< one block for each section of a bar or block of a mesh
+  std::vector<Block> blocks;      ///< as mesh.blocks
+  std::vector<double> section_x;  ///< grid planes of a bar; else empty
+  std::vector<std::vector<std::int32_t>> section_nodes;  ///< their nodes
+  std::size_t split_quadrilaterals = 0;                  ///< quadrilaterals that meet two triangles
+};
+
+/// Number of a region in mesh.region_names, added where it is new.
+[[nodiscard]] std::int32_t region_number(Mesh& mesh, const std::string& name);
+
+/// The mesh of either kind.
+[[nodiscard]] SceneMesh make_mesh(const Scene& scene);
+
+}  // namespace elastogen::selector

@@ -1,0 +1,85 @@
+// Kernels in somebody else's CMake build: an edited law rebuilds exactly its kernels.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+
+#include "selector/support/files.h"
+#include "selector/support/process.h"
+#include "temporary_folder.h"
+
+namespace elastogen::selector {
+namespace {
+namespace fs = std::filesystem;
+
+class KernelConsumer : public ::testing::Test {
+ protected:
+  KernelConsumer() {
+    fs::copy(ELASTOGEN_SOURCE_DIR "/laws", laws());
+    const ProcessResult result = run_process(
+        {CMAKE_PROGRAM, "-G", BUILD_GENERATOR, "-S", ELASTOGEN_SOURCE_DIR "/tests/consumer/kernels",
+         "-B", build().string(), "-DCMAKE_CXX_COMPILER=" CXX_COMPILER,
+         "-DELASTOGEN_SOURCE=" ELASTOGEN_SOURCE_DIR,
+         "-DELASTOGEN_EXECUTABLE=" ELASTOGEN_BINARY_DIR "/bin/elastogen",
+         "-DLAWS=" + laws().string(), "-DELASTOGEN_KERNEL_FLAGS=-O0;-Wno-psabi"});
+    if (result.exit_status != 0) ADD_FAILURE() << result.output;
+  }
+
+  /// Builds everything; returns what the build printed.
+  std::string make() const {
+    const ProcessResult result = run_process({CMAKE_PROGRAM, "--build", build().string()});
+    EXPECT_EQ(result.exit_status, 0) << result.output;
+    return result.output;
+  }
+
+  /// Times of the generated sources and of the objects compiled from them, by file.
+  std::map<std::string, fs::file_time_type> times(const std::string& law) const {
+    std::map<std::string, fs::file_time_type> result;
+    for (const auto& entry : fs::recursive_directory_iterator(build())) {
+      const std::string name = entry.path().filename().string();
+      const bool counts = entry.path().extension() != ".json" && entry.is_regular_file();
+      if (counts && name.starts_with(law + "_tet4")) {
+        result[entry.path().string()] = entry.last_write_time();
+      }
+    }
+    return result;
+  }
+
+  void edit_law(const std::string& law, const std::string& what, const std::string& by) const {
+    const fs::path file = laws() / (law + ".toml");
+    std::string text = read_text_file(file, "law");
+    const std::size_t position = text.find(what);
+    ASSERT_NE(position, std::string::npos) << text;
+    text.replace(position, what.size(), by);
+    write_text_file(file, text);
+  }
+
+  [[nodiscard]] fs::path laws() const { return folder_.path() / "laws"; }
+  [[nodiscard]] fs::path build() const { return folder_.path() / "build"; }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(KernelConsumer, RebuildsExactlyTheKernelsOfAChangedLaw) {
+  make();
+  EXPECT_EQ(run_process({(build() / "consumer").string()}).output,
+            "hooke-tet4-q1-none 8\nstvk-tet4-q1-none 16\n");
+  const auto hooke = times("hooke");
+  const auto stvk = times("stvk");
+  ASSERT_EQ(hooke.size(), 6U);  // two headers, two sources, two objects
+
+  // A comment: the generator looks, and touches nothing.
+  edit_law("hooke", "name", "# a remark\nname");
+  EXPECT_NE(make().find("up to date  hooke-tet4-q1-none"), std::string::npos);
+  EXPECT_EQ(times("hooke"), hooke);
+
+  edit_law("hooke", "mu*tr", "2*mu*tr");
+  const std::string output = make();
+  EXPECT_NE(output.find("generated   hooke-tet4-q1-none"), std::string::npos) << output;
+  EXPECT_EQ(output.find("stvk-tet4-q1-none"), std::string::npos) << output;
+  EXPECT_NE(times("hooke"), hooke);
+  EXPECT_EQ(times("stvk"), stvk);
+}
+
+}  // namespace
+}  // namespace elastogen::selector

@@ -1,0 +1,230 @@
+// Whole runs by the built program: kernels made on the spot, results as the files say them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "selector/support/files.h"
+#include "selector/support/process.h"
+#include "temporary_folder.h"
+
+namespace elastogen::selector {
+namespace {
+
+/// Runs scenes in a folder of the test's own; compiled kernels are shared between the tests.
+class Run : public testing::Test {
+ protected:
+  [[nodiscard]] ProcessResult run_scene(const std::filesystem::path& scene,
+                                        const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> command = {"env",          cache_setting(), program(),     "run",
+                                        scene.string(), "--out",         out().string()};
+    command.insert(command.end(), more.begin(), more.end());
+    return run_process(command);
+  }
+
+  [[nodiscard]] std::filesystem::path write(const std::string& text) const {
+    write_text_file(folder_.path() / "scene.toml", text);
+    return folder_.path() / "scene.toml";
+  }
+
+  [[nodiscard]] nlohmann::json summary() const {
+    return nlohmann::json::parse(read_text_file(out() / "summary.json", "summary"));
+  }
+
+  static std::filesystem::path shipped(const std::string& name) {
+    return std::filesystem::path(ELASTOGEN_SOURCE_DIR) / "scenes" / (name + ".toml");
+  }
+  static std::string cache_setting() {
+    return "ELASTOGEN_CACHE_DIR=" ELASTOGEN_BINARY_DIR "/scene-test-cache";
+  }
+  static std::string program() { return ELASTOGEN_BINARY_DIR "/bin/elastogen"; }
+  [[nodiscard]] std::filesystem::path out() const { return folder_.path() / "out"; }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST_F(Run, MixedBeamComesNearTheConvergedCurve) {
+  const ProcessResult result = run_scene(shipped("mixed_beam"));
+  ASSERT_EQ(result.exit_status, 0) << result.output;
+  EXPECT_NE(result.output.find("warning: 25 quadrilateral faces meet triangles"), std::string::npos)
+      << result.output;
+  for (const char* file : {"result.vtu", "deflection.csv"}) {
+    EXPECT_TRUE(std::filesystem::exists(out() / file)) << file;
+  }
+  const nlohmann::json json = summary();
+  EXPECT_EQ(json["solver"]["status"], "converged");
+  EXPECT_EQ(json["mesh"]["elements"], 3000);
+  EXPECT_EQ(json["associations"].size(), 4U);
+  EXPECT_LT(json["reference"]["mean_distance_uz"], 0.01);
+  // The clamp carries the weight of 8 m^3, to the solver's tolerance.
+  const double weight = 1000 * 8 * 9.81;
+  EXPECT_NEAR(json["probes"][0]["reaction"][2], weight, 1e-7 * weight);
+  EXPECT_NEAR(json["probes"][1]["displacement"][2], json["tip_displacement"][2], 1e-14);
+}
+
+TEST_F(Run, HookeOnThePrismsChangesLittle) {
+  const ProcessResult result = run_scene(shipped("mixed_beam_hooke_prisms"));
+  ASSERT_EQ(result.exit_status, 0) << result.output;
+  EXPECT_LT(summary()["reference"]["mean_distance_uz"], 0.01);
+}
+
+struct KnownTip {
+  const char* scene;
+  const char* cells;
+  double ux, uz;  ///< of FEniCSx 0.5 on the same mesh [m]
+};
+
+void PrintTo(const KnownTip& tip, std::ostream* out) { *out << tip.scene << ' ' << tip.cells; }
+
+class PureBeam : public Run, public testing::WithParamInterface<KnownTip> {};
+
+TEST_P(PureBeam, AgreesWithAnotherSolverOnTheSameMesh) {
+  const KnownTip& known = GetParam();
+  const ProcessResult result = run_scene(shipped(known.scene), {"--cells", known.cells});
+  ASSERT_EQ(result.exit_status, 0) << result.output;
+  const nlohmann::json tip = summary()["tip_displacement"];
+  EXPECT_NEAR(tip[0], known.ux, 1e-6);
+  EXPECT_NEAR(tip[2], known.uz, 2e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PureBeam,
+                         testing::Values(KnownTip{"beam_hexa8", "24x4x4", -0.023634, -0.575799},
+                                         KnownTip{"beam_hexa8", "48x8x8", -0.025606, -0.599316},
+                                         KnownTip{"beam_tet4", "48x8x8", -0.022921, -0.567049}));
+
+class ConvergingBeam : public Run, public testing::WithParamInterface<const char*> {};
+
+TEST_P(ConvergingBeam, GetsNearerWithMoreCells) {
+  double before = 1;
+  for (const char* cells : {"16x2x2", "32x4x4"}) {
+    const ProcessResult result = run_scene(shipped(GetParam()), {"--cells", cells});
+    ASSERT_EQ(result.exit_status, 0) << result.output;
+    const double distance = summary()["reference"]["mean_distance_uz"];
+    EXPECT_LT(distance, 0.5 * before) << cells;
+    before = distance;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ConvergingBeam,
+                         testing::Values("mixed_beam", "beam_prism6", "beam_pyramid5"));
+
+/// A bar that is pulled: StVK, nu = 0, so that the force follows from the stretch by hand.
+const std::string pulled_bar = R"([bar]
+length = 2.0
+width = 1.0
+height = 1.0
+cells = [4, 2, 2]
+[[bar.section]]
+until = 0.5
+association = "stvk-pyramid5-q5-none"
+region = "body"
+[[bar.section]]
+until = 1.0
+association = "stvk-hexa8-q8-none"
+region = "body"
+[material.body]
+density = 1000.0
+young = 1e6
+poisson = 0.0
+[[constraint]]
+plane = { x = 0.0 }
+fixed = ["x", "y", "z"]
+[[constraint]]
+plane = { x = 2.0 }
+displacement = { x = 0.2 }
+[[probe]]
+name = "wall"
+plane = { x = 0.0 }
+[[probe]]
+name = "grip"
+plane = { x = 2.0 }
+)";
+
+TEST_F(Run, PrescribedStretchGivesTheReactionByHand) {
+  const ProcessResult result = run_scene(write(pulled_bar));
+  ASSERT_EQ(result.exit_status, 0) << result.output;
+  const nlohmann::json probes = summary()["probes"];
+  // F = 1.1: first Piola-Kirchhoff stress P = F E (F^2 - 1) / 2, on 1 m^2.
+  const double force = 1.1 * 1e6 * (1.1 * 1.1 - 1) / 2;
+  EXPECT_NEAR(probes[0]["reaction"][0], -force, 1e-6 * force);
+  EXPECT_NEAR(probes[1]["reaction"][0], force, 1e-6 * force);
+  EXPECT_NEAR(probes[1]["displacement"][0], 0.2, 1e-15);
+}
+
+TEST_F(Run, KeepsWhatWasReachedWhenNewtonDoesNotConverge) {
+  const ProcessResult result =
+      run_scene(write("gravity = [0, 0, -100]\n" + pulled_bar + "[solver]\nmax_iterations = 1\n"));
+  EXPECT_EQ(result.exit_status, 1) << result.output;
+  EXPECT_EQ(summary()["solver"]["status"], "not converged");
+  EXPECT_FALSE(summary()["solver"]["reason"].get<std::string>().empty());
+  EXPECT_TRUE(std::filesystem::exists(out() / "result.vtu"));
+}
+
+TEST_F(Run, EndsAtTheNextIterationOnCtrlC) {
+  // Conjugate gradient on this mesh takes far longer than noticing its first line.
+  const std::string scene = "gravity = [0, 0, -9.81]\n" + pulled_bar +
+                            "[solver]\nmethod = \"cg\"\n[output]\nwrite = [\"vtu\"]\n";
+  const std::string log = (out().parent_path() / "log").string();
+  const std::string script =
+      "\"$1\" run \"$2\" --out \"$3\" --cells 96x12x12 2> \"$4\" & pid=$!\n"
+      "until grep -q '^newton' \"$4\" || ! kill -0 $pid; do sleep 0.02; done\n"
+      "kill -INT $pid; wait $pid";
+  const ProcessResult result = run_process({"env", cache_setting(), "sh", "-c", script, "sh",
+                                            program(), write(scene).string(), out().string(), log});
+  EXPECT_EQ(result.exit_status, 130) << result.output << read_text_file(log, "log");
+  EXPECT_EQ(summary()["solver"]["status"], "interrupted");
+  EXPECT_TRUE(std::filesystem::exists(out() / "result.vtu"));
+}
+
+class BadScene : public Run {
+ protected:
+  void expect_rejected(const std::string& text, const std::string& words) const {
+    const ProcessResult result = run_scene(write(text));
+    EXPECT_EQ(result.exit_status, 2) << result.output;
+    EXPECT_NE(result.output.find("error: "), std::string::npos) << result.output;
+    EXPECT_NE(result.output.find(words), std::string::npos) << result.output;
+    EXPECT_FALSE(std::filesystem::exists(out()));
+  }
+};
+
+TEST_F(BadScene, InvertedElement) {
+  expect_rejected(R"(gravity = [0, 0, -9.81]
+[mesh]
+nodes = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, -1]]
+[[mesh.block]]
+association = "stvk-tet4-q1-none"
+region = "body"
+elements = [[0, 1, 2, 3], [0, 1, 2, 4]]
+[material.body]
+density = 1000.0
+young = 1e6
+poisson = 0.3
+[[constraint]]
+plane = { z = 0.0 }
+fixed = ["x", "y", "z"]
+)",
+                  "element 1 ");
+}
+
+TEST_F(BadScene, UnknownKey) { expect_rejected("gravty = 1\n" + pulled_bar, "scene.toml:1"); }
+
+TEST_F(BadScene, CellsInWrongForm) {
+  const ProcessResult result = run_scene(write(pulled_bar), {"--cells", "4x2"});
+  EXPECT_EQ(result.exit_status, 2);
+  EXPECT_NE(result.output.find("as in 48x8x8"), std::string::npos) << result.output;
+  EXPECT_FALSE(std::filesystem::exists(out()));
+}
+
+TEST_F(BadScene, OutIsAFile) {
+  write_text_file(out(), "");
+  const ProcessResult result = run_scene(write(pulled_bar));
+  EXPECT_EQ(result.exit_status, 1);
+  EXPECT_NE(result.output.find("a file has that name"), std::string::npos) << result.output;
+}
+
+}  // namespace
+}  // namespace elastogen::selector

@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include "runtime/error.h"
+#include "selector/commands/exact_text.h"
+
+namespace elastogen::selector {
+namespace {
+
+TEST(DecimalText, RoundsToSignificantDigits) {
+  EXPECT_EQ(decimal_text(GiNaC::numeric(2, 3), 5), "0.66667");
+  EXPECT_EQ(decimal_text(GiNaC::numeric(-1, 8), 3), "-0.125");
+  EXPECT_EQ(decimal_text(GiNaC::numeric(999999, 1000), 4), "1000");
+  EXPECT_EQ(decimal_text(GiNaC::numeric(12345), 3), "1.23e4");
+  EXPECT_EQ(decimal_text(GiNaC::numeric(1, 30000000), 3), "3.33e-8");
+  EXPECT_EQ(decimal_text(0, 4), "0.0000");
+}
+
+TEST(DecimalText, HasFortyRightDigitsOfARoot) {
+  // 1/sqrt(3) = 0.57735026918962576450914878050195745564760175127...
+  EXPECT_EQ(decimal_text(1 / GiNaC::sqrt(GiNaC::ex(3)), 40),
+            "0.5773502691896257645091487805019574556476");
+}
+
+TEST(DecimalText, RefusesWhatIsNoNumber) {
+  EXPECT_THROW((void)decimal_text(GiNaC::symbol("x"), 5), InternalError);
+  EXPECT_THROW((void)decimal_text(GiNaC::I, 5), InternalError);
+}
+
+/// Text that GiNaC's parser reads back as the same expression.
+void expect_round_trip(const GiNaC::ex& expression, const GiNaC::symtab& symbols) {
+  GiNaC::parser reader(symbols, /*strict=*/true);
+  const std::string text = expression_text(expression);
+  EXPECT_TRUE((reader(text) - expression).expand().normal().is_zero()) << text;
+}
+
+TEST(ExpressionText, ReadsBackAsTheSameExpression) {
+  const GiNaC::symbol x("x"), y("y");
+  const GiNaC::symtab symbols = {{"x", x}, {"y", y}};
+  expect_round_trip(GiNaC::numeric(1, 8) * (1 - x) * (1 + y), symbols);
+  expect_round_trip(-x - y - 3, symbols);
+  expect_round_trip(-x / (1 - y), symbols);
+  expect_round_trip(1 / (x * x), symbols);
+  expect_round_trip(pow(x - y, 2) * GiNaC::sqrt(GiNaC::ex(3)) / 2, symbols);
+  expect_round_trip(pow(x, -y) + log(1 + x), symbols);
+}
+
+TEST(ExpressionText, OrdersOperandsByName) {
+  const GiNaC::symbol x("x"), y("y"), z("z");
+  EXPECT_EQ(expression_text(z + y + x), "x + y + z");
+  EXPECT_EQ(expression_text(x - z * y), "x - y*z");
+  EXPECT_EQ(expression_text((1 - y) * (1 - x) / 4), "1/4*(1 - x)*(1 - y)");
+  EXPECT_EQ(expression_text(1 / (1 - x)), "1/(1 - x)");
+}
+
+}  // namespace
+}  // namespace elastogen::selector

@@ -1,0 +1,168 @@
+#include "selector/io/vtu.h"
+
+#include <gtest/gtest.h>
+#include <vtkCell.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include "../scene/element_measures.h"
+#include "../scene/temporary_scene.h"
+#include "selector/scene/scene_mesh.h"
+
+namespace elastogen::selector {
+namespace {
+
+const std::string mixed_scene = R"([bar]
+length = 4.0
+width = 1.0
+height = 1.0
+cells = [4, 1, 1]
+[[bar.section]]
+until = 0.25
+association = "stvk-prism6-q6-none"
+region = "left"
+[[bar.section]]
+until = 0.50
+association = "stvk-pyramid5-q5-none"
+region = "left"
+[[bar.section]]
+until = 0.75
+association = "stvk-hexa8-q8-none"
+region = "right"
+[[bar.section]]
+until = 1.00
+association = "stvk-tet4-q1-none"
+region = "right"
+[material.any]
+regions = ["left", "right"]
+density = 1
+)";
+
+class VtuRoundTrip : public testing::Test {
+ protected:
+  void SetUp() override {
+    mesh_ = make_mesh(read_text(mixed_scene)).mesh;
+    for (std::size_t i = 0; i < mesh_.positions.size(); ++i) {
+      displacement_.push_back(0.001 * static_cast<double>(i * i));
+    }
+    ElementLabels regions{"region", {}, mesh_.region_names};
+    for (const ElementBlock& block : mesh_.blocks) {
+      regions.values.insert(regions.values.end(), block.region.begin(), block.region.end());
+    }
+    for (std::size_t e = 0; e < mesh_.num_elements(); ++e) {
+      energy_.push_back(0.5 * static_cast<double>(e));
+    }
+    const std::filesystem::path file = folder_.path() / "result.vtu";
+    write_vtu(file, mesh_, {{{"displacement", displacement_}}, {{"energy", energy_}}, {regions}});
+    reader_->SetFileName(file.c_str());
+    reader_->Update();
+    grid_ = reader_->GetOutput();
+  }
+
+  TemporaryFolder folder_;
+  Mesh mesh_;
+  std::vector<double> displacement_, energy_;
+  vtkNew<vtkXMLUnstructuredGridReader> reader_;
+  vtkUnstructuredGrid* grid_ = nullptr;
+};
+
+TEST_F(VtuRoundTrip, KeepsNodesAndFields) {
+  ASSERT_EQ(grid_->GetNumberOfPoints(), static_cast<vtkIdType>(mesh_.num_nodes()));
+  vtkDataArray* displacement = grid_->GetPointData()->GetArray("displacement");
+  ASSERT_NE(displacement, nullptr);
+  for (std::size_t node = 0; node < mesh_.num_nodes(); ++node) {
+    const auto id = static_cast<vtkIdType>(node);
+    for (int c = 0; c < 3; ++c) {
+      const std::size_t dof = 3 * node + static_cast<std::size_t>(c);
+      EXPECT_EQ(grid_->GetPoint(id)[c], mesh_.positions[dof]);
+      EXPECT_EQ(displacement->GetComponent(id, c), displacement_[dof]);
+    }
+  }
+  vtkDataArray* energy = grid_->GetCellData()->GetArray("energy");
+  ASSERT_NE(energy, nullptr);
+  for (std::size_t e = 0; e < energy_.size(); ++e) {
+    EXPECT_EQ(energy->GetComponent(static_cast<vtkIdType>(e), 0), energy_[e]);
+  }
+}
+
+TEST_F(VtuRoundTrip, NamesTheLabels) {
+  auto* names =
+      vtkStringArray::SafeDownCast(grid_->GetFieldData()->GetAbstractArray("region_names"));
+  ASSERT_NE(names, nullptr);
+  ASSERT_EQ(names->GetNumberOfValues(), 2);
+  EXPECT_EQ(names->GetValue(0), "left");
+  EXPECT_EQ(names->GetValue(1), "right");
+  EXPECT_EQ(grid_->GetCellData()->GetArray("region")->GetComponent(0, 0), 0);
+  EXPECT_EQ(grid_->GetCellData()->GetArray("region")->GetComponent(
+                static_cast<vtkIdType>(mesh_.num_elements()) - 1, 0),
+            1);
+}
+
+/// VTK's own shape functions, at its parametric centre: a determinant that is not positive shows
+/// nodes in an order that is not VTK's.
+TEST_F(VtuRoundTrip, CellsHaveVtksNodeOrder) {
+  ASSERT_EQ(grid_->GetNumberOfCells(), static_cast<vtkIdType>(mesh_.num_elements()));
+  for (vtkIdType id = 0; id < grid_->GetNumberOfCells(); ++id) {
+    vtkCell* cell = grid_->GetCell(id);
+    double centre[3];
+    cell->GetParametricCenter(centre);
+    Eigen::Matrix3d jacobian;
+    for (int c = 0; c < 3; ++c) {
+      std::vector<double> coordinates(static_cast<std::size_t>(cell->GetNumberOfPoints()));
+      for (vtkIdType p = 0; p < cell->GetNumberOfPoints(); ++p) {
+        coordinates[static_cast<std::size_t>(p)] = cell->GetPoints()->GetPoint(p)[c];
+      }
+      double derivatives[3];
+      // Derivatives of a position in physical space are the identity only through the inverse of
+      // a right Jacobian, so a wrong order of nodes shows here, too.
+      cell->Derivatives(0, centre, coordinates.data(), 1, derivatives);
+      jacobian.row(c) << derivatives[0], derivatives[1], derivatives[2];
+    }
+    EXPECT_TRUE(jacobian.isApprox(Eigen::Matrix3d::Identity(), 1e-12))
+        << "cell " << id << " of type " << cell->GetCellType() << "\n"
+        << jacobian;
+  }
+}
+
+/// Outward faces, as VTK defines them for its cells, give a positive volume.
+TEST_F(VtuRoundTrip, CellsAreNotInsideOut) {
+  for (vtkIdType id = 0; id < grid_->GetNumberOfCells(); ++id) {
+    vtkCell* cell = grid_->GetCell(id);
+    double volume = 0;
+    for (int f = 0; f < cell->GetNumberOfFaces(); ++f) {
+      vtkPoints* points = cell->GetFace(f)->GetPoints();
+      const auto corner = [&](vtkIdType i) {
+        return Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(points->GetPoint(i)));
+      };
+      for (vtkIdType i = 1; i + 1 < points->GetNumberOfPoints(); ++i) {
+        volume += corner(0).dot(corner(i).cross(corner(i + 1))) / 6;
+      }
+    }
+    EXPECT_GT(volume, 0) << "cell " << id << " of type " << cell->GetCellType();
+  }
+}
+
+TEST(Vtu, RejectsAFieldOfTheWrongSize) {
+  const TemporaryFolder folder;
+  const Mesh mesh = make_mesh(read_text(mixed_scene)).mesh;
+  const std::vector<double> short_field(3);
+  EXPECT_THROW(write_vtu(folder.path() / "a.vtu", mesh, {{{"u", short_field}}, {}, {}}),
+               InternalError);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(Vtu, SaysWhenItCannotWrite) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = write_file(folder, "file", "no folder");
+  const Mesh mesh = make_mesh(read_text(mixed_scene)).mesh;
+  EXPECT_THROW(write_vtu(file / "a.vtu", mesh, {}), WorkError);
+}
+
+}  // namespace
+}  // namespace elastogen::selector

@@ -1,0 +1,138 @@
+#include "selector/scene/bar_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "element_measures.h"
+#include "selector/io/mesh_faces.h"
+#include "selector/scene/cube_cuts.h"
+#include "temporary_scene.h"
+
+namespace elastogen::selector {
+namespace {
+
+const std::map<std::string, std::string> associations = {{"hexa8", "stvk-hexa8-q8-none"},
+                                                         {"prism6", "stvk-prism6-q6-none"},
+                                                         {"pyramid5", "stvk-pyramid5-q5-none"},
+                                                         {"tet4", "stvk-tet4-q1-none"}};
+
+/// A bar of 3 x 0.7 x 0.4 m with one section for each element named.
+BarDescription bar_of(const std::vector<std::string>& elements, std::array<int, 3> cells) {
+  BarDescription bar;
+  bar.where = "scene.toml:2";
+  bar.size = {3.0, 0.7, 0.4};
+  bar.cells = cells;
+  for (std::size_t s = 0; s < elements.size(); ++s) {
+    SectionDescription section;
+    section.where = "scene.toml:9";
+    section.path = "bar.section[" + std::to_string(s + 1) + "]";
+    section.until = static_cast<double>(s + 1) / static_cast<double>(elements.size());
+    section.association = symgen::AssociationId::parse(associations.at(elements[s]));
+    section.region = "body";
+    bar.sections.push_back(section);
+  }
+  return bar;
+}
+
+class PureBar : public testing::TestWithParam<const char*> {};
+
+TEST_P(PureBar, HasSoManyElementsPerCell) {
+  const std::map<std::string, std::size_t> per_cell = {
+      {"hexa8", 1}, {"prism6", 2}, {"pyramid5", 6}, {"tet4", 6}};
+  const SceneMesh bar = make_bar(bar_of({GetParam()}, {4, 3, 2}));
+  EXPECT_EQ(bar.mesh.num_elements(), 4 * 3 * 2 * per_cell.at(GetParam()));
+  const std::size_t centres = GetParam() == std::string("pyramid5") ? 4 * 3 * 2 : 0;
+  EXPECT_EQ(bar.mesh.num_nodes(), 5 * 4 * 3 + centres);
+}
+
+TEST_P(PureBar, ElementsAreTurnedRightAndFillTheBar) {
+  const SceneMesh bar = make_bar(bar_of({GetParam()}, {4, 3, 2}));
+  const ElementBlock& block = bar.mesh.blocks.front();
+  const ShapeGradients gradients(block.element);
+  double total = 0;
+  for (std::size_t e = 0; e < block.num_elements(); ++e) {
+    const auto nodes = block.element_nodes(e);
+    EXPECT_GT(gradients.least_jacobian(bar.mesh.positions, nodes), 0) << "element " << e;
+    const double volume = volume_by_faces(bar.mesh.positions, nodes, block.element);
+    EXPECT_GT(volume, 0) << "element " << e;
+    total += volume;
+  }
+  EXPECT_NEAR(total, 3.0 * 0.7 * 0.4, 1e-14);
+}
+
+TEST_P(PureBar, FacesAreSharedByTwoOrLieOnTheSurface) {
+  const SceneMesh bar = make_bar(bar_of({GetParam()}, {4, 3, 2}));
+  const FaceMatching matching = match_faces(bar.mesh);
+  EXPECT_TRUE(matching.overused.empty());
+  EXPECT_TRUE(matching.split_quadrilaterals.empty());
+  double area = 0;
+  for (const MeshFace& face : matching.boundary) {
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < face.nodes.size(); ++i) {
+      normal +=
+          node_position(bar.mesh.positions, face.nodes[i])
+              .cross(node_position(bar.mesh.positions, face.nodes[(i + 1) % face.nodes.size()]));
+    }
+    area += normal.norm() / 2;
+  }
+  EXPECT_NEAR(area, 2 * (3.0 * 0.7 + 3.0 * 0.4 + 0.7 * 0.4), 1e-13);
+}
+
+INSTANTIATE_TEST_SUITE_P(Elements, PureBar, testing::Values("hexa8", "prism6", "pyramid5", "tet4"));
+
+TEST(CubeCut, TetrahedraShareTheMainDiagonal) {
+  for (const std::vector<int>& tetrahedron : cube_cut("tet4").elements) {
+    EXPECT_EQ(std::count(tetrahedron.begin(), tetrahedron.end(), 0), 1);
+    EXPECT_EQ(std::count(tetrahedron.begin(), tetrahedron.end(), 6), 1);
+  }
+}
+
+TEST(MixedBar, OnlyTheFaceBeforeTetrahedraIsSplit) {
+  const SceneMesh bar = make_bar(bar_of({"prism6", "pyramid5", "hexa8", "tet4"}, {8, 3, 2}));
+  EXPECT_EQ(bar.mesh.blocks.size(), 4U);
+  EXPECT_EQ(bar.split_quadrilaterals, 3U * 2U);
+  const FaceMatching matching = match_faces(bar.mesh);
+  for (const std::size_t i : matching.split_quadrilaterals) {
+    for (const std::int32_t node : matching.boundary[i].nodes) {
+      EXPECT_DOUBLE_EQ(bar.mesh.positions[3 * static_cast<std::size_t>(node)], 0.75 * 3.0);
+    }
+  }
+  // What is left after the split faces and their triangles is the surface of the four parts: whole
+  // quadrilaterals but on the prisms' tops and bottoms and the tetrahedra.
+  const std::size_t outside = surface_faces(matching).size();
+  EXPECT_EQ(outside, matching.boundary.size() - 3 * matching.split_quadrilaterals.size());
+}
+
+TEST(MixedBar, SectionsHoldTheNodesOfTheirPlane) {
+  const SceneMesh bar = make_bar(bar_of({"pyramid5", "tet4"}, {6, 2, 3}));
+  ASSERT_EQ(bar.section_x.size(), 7U);
+  std::size_t on_planes = 0;
+  for (std::size_t i = 0; i < bar.section_x.size(); ++i) {
+    EXPECT_EQ(bar.section_nodes[i].size(), 3U * 4U);
+    for (const std::int32_t node : bar.section_nodes[i]) {
+      EXPECT_DOUBLE_EQ(bar.mesh.positions[3 * static_cast<std::size_t>(node)], bar.section_x[i]);
+      ++on_planes;
+    }
+  }
+  EXPECT_EQ(bar.mesh.num_nodes() - on_planes, 3U * 2U * 3U) << "the centres of the pyramids' cells";
+}
+
+TEST(MixedBar, RejectsASectionThatEndsInsideACell) {
+  try {
+    (void)make_bar(bar_of({"hexa8", "tet4", "hexa8"}, {8, 1, 1}));
+    FAIL() << "8 cells are not divisible by 3";
+  } catch (const InputError& error) {
+    expect_contains(error.what(), "scene.toml:9: bar.section[1].until = 0.333");
+    expect_contains(error.what(), "after 2.66667 of the bar's 8 cells");
+    expect_contains(error.what(), "until = 0.375");
+  }
+}
+
+TEST(MixedBar, RejectsMoreNodesThanCanBeNumbered) {
+  EXPECT_THROW((void)make_bar(bar_of({"hexa8"}, {2000, 1000, 1000})), InputError);
+}
+
+}  // namespace
+}  // namespace elastogen::selector
