@@ -47,6 +47,15 @@ void declare(CLI::App& app, Context& context) {
   app.add_option("--profile", context.profile, "Target profile that costs are weighed for")
       ->check(CLI::IsMember(elastogen::symgen::profile_names()))
       ->capture_default_str();
+  app.add_option("--grouping", context.grouping,
+                 "How grouped constants are chosen: by the cheapest cut, or all of them as in the "
+                 "thesis's algorithm 6")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, elastogen::symgen::Grouping>{
+              {"minimum-cut", elastogen::symgen::Grouping::minimum_cut},
+              {"algorithm6", elastogen::symgen::Grouping::algorithm6}},
+          CLI::ignore_case))
+      ->default_str("minimum-cut");
   app.add_option("--threads", context.threads, "Threads; 0: all of the machine")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();

@@ -27,16 +27,6 @@ std::vector<Geometry> geometries_of(const Element& element) {
   return geometries;
 }
 
-void check_quadrature(const AssociationId& id, const Law& law, const Quadrature& quadrature) {
-  if (quadrature.polynomial_laws_only && !law.polynomial) {
-    throw InputError(
-        fmt::format("association '{}': quadrature '{}' integrates analytically, which needs a law "
-                    "polynomial in "
-                    "the displacement gradient; law '{}' is not; use one of the Gauss rules",
-                    id.text(), quadrature.name, law.name));
-  }
-}
-
 /// The split of an association; for `auto`, the coarsest whose fragments stay below the profile's
 /// limit (fewest fragments first).
 struct ChosenSplit {
@@ -136,7 +126,7 @@ struct Formulation {
       : element(find_element(id.element)),
         quadrature(find_quadrature(id.element, id.quadrature)),
         energy(energy_density(law, element.dim, {stabilise})) {
-    check_quadrature(id, law, quadrature);
+    check_association(id, law);
   }
   [[nodiscard]] ElementGraph graph(const Law& law, Geometry geometry) const {
     return build_element_graph(law, energy, element, quadrature, geometry);
@@ -209,6 +199,16 @@ Evaluation evaluated(const VariantKernels& kernels, const std::vector<std::vecto
 }
 
 }  // namespace
+
+void check_association(const AssociationId& id, const Law& law) {
+  if (find_quadrature(id.element, id.quadrature).polynomial_laws_only && !law.polynomial) {
+    throw InputError(fmt::format(
+        "association '{}': quadrature '{}' integrates analytically, which needs an energy that is "
+        "polynomial in the displacement gradient; that of law '{}' is not; take one of the other "
+        "quadratures of '{}' (elastogen list --law {} --element {})",
+        id.text(), id.quadrature, id.law, id.element, id.law, id.element));
+  }
+}
 
 std::string association_hash(const AssociationId& id, const Law& law,
                              const GenerateOptions& options) {

@@ -92,6 +92,9 @@ struct Instantiation {
   std::vector<std::string> operations;
 };
 
+/// @throws InputError  when the law cannot have the association's quadrature
+void check_association(const AssociationId& id, const Law& law);
+
 /// Content hash of what `generate_association` would make; needs no generation.
 [[nodiscard]] std::string association_hash(const AssociationId& id, const Law& law,
                                            const GenerateOptions& options);

@@ -46,6 +46,7 @@ std::vector<fs::path> Context::law_folders() const {
 symgen::GenerateOptions Context::generate_options() const {
   symgen::GenerateOptions options;
   options.profile = profile;
+  options.grouping = grouping;
   return options;
 }
 
@@ -64,14 +65,7 @@ void Context::tell(const std::string& line) const {
 
 symgen::Law read_law_of(const symgen::AssociationId& id, const Context& context) {
   symgen::Law law = symgen::read_law(symgen::find_law_file(id.law, context.law_folders()));
-  const symgen::Quadrature& quadrature = symgen::find_quadrature(id.element, id.quadrature);
-  if (quadrature.polynomial_laws_only && !law.polynomial) {
-    throw InputError(fmt::format(
-        "association '{}': quadrature '{}' integrates analytically, which needs an energy that is "
-        "polynomial in the displacement gradient; that of law '{}' is not; take one of the other "
-        "quadratures of '{}' (elastogen list --law {} --element {})",
-        id.text(), id.quadrature, id.law, id.element, id.law, id.element));
-  }
+  symgen::check_association(id, law);
   return law;
 }
 

@@ -22,6 +22,7 @@ namespace elastogen::selector {
 struct Context {
   std::vector<std::filesystem::path> user_law_folders;  ///< --laws, searched first
   std::string profile = symgen::GenerateOptions{}.profile;
+  symgen::Grouping grouping = symgen::GenerateOptions{}.grouping;
   int threads = 0;              ///< 0: as many as the machine has
   bool quiet = false;           ///< no progress on standard error
   bool no_cache = false;        ///< compile kernels anew, keep nothing

@@ -197,7 +197,7 @@ SolverSettings read_solver(const TomlTable& table) {
   table.allow_only({"method", "tolerance", "max_iterations", "load_steps", "threads"});
   SolverSettings solver;
   if (table.has("method")) {
-    solver.method = table.choice("method", {"cholesky", "cg"}) == "cg"
+    solver.method = table.choice("method", {"cg", "cholesky"}) == "cg"
                         ? LinearSolverKind::conjugate_gradient
                         : LinearSolverKind::cholesky;
   }

@@ -78,7 +78,7 @@ struct ProbeDescription {
 };
 
 struct SolverSettings {
-  LinearSolverKind method = LinearSolverKind::cholesky;
+  LinearSolverKind method = LinearSolverKind::conjugate_gradient;
   double tolerance = 1e-8;
   int max_iterations = 100;
   int load_steps = 1;

@@ -110,9 +110,14 @@ std::string kernel_text(const RunSummary& summary, const std::string& associatio
   return "";
 }
 
+/// What rounds to zero is printed without a sign.
 std::string vector_text(const std::array<double, 3>& vector, int precision) {
-  return fmt::format("[{:.{}f}, {:.{}f}, {:.{}f}]", vector[0], precision, vector[1], precision,
-                     vector[2], precision);
+  std::array<double, 3> shown = vector;
+  for (double& component : shown) {
+    if (std::abs(component) < 0.5 * std::pow(10.0, -precision)) component = 0;
+  }
+  return fmt::format("[{:.{}f}, {:.{}f}, {:.{}f}]", shown[0], precision, shown[1], precision,
+                     shown[2], precision);
 }
 
 std::string associations_text(const RunSummary& summary) {

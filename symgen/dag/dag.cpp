@@ -128,9 +128,8 @@ bool Dag::holds_constant_of_rest(NodeId id) const {
          });
 }
 
-NodeId Dag::product(std::vector<Operand> operands) {
+NumberId Dag::take_numbers_out(std::vector<Operand>& operands) const {
   NumberId coefficient = NumberPool::one;
-  // Take numbers out, and what scaled nodes are scaled by.
   for (Operand& operand : operands) {
     const Node& node = nodes_[operand.node];
     const auto [n, denominator] = exponent_of(*numbers_, operand.factor);
@@ -143,8 +142,25 @@ NodeId Dag::product(std::vector<Operand> operands) {
       operand.node = node.operands[0].node;
     }
   }
-  if (coefficient == NumberPool::zero) return number(NumberPool::zero);
   std::erase_if(operands, [](const Operand& each) { return each.factor == NumberPool::zero; });
+  return coefficient;
+}
+
+NodeId Dag::scaled_product(NumberId coefficient, std::vector<Operand> operands) {
+  if (operands.empty() || coefficient == NumberPool::zero) return number(coefficient);
+  NodeId result = operands[0].node;
+  if (operands.size() > 1 || operands[0].factor != NumberPool::one) {
+    Node node;
+    node.kind = Kind::product;
+    node.operands = std::move(operands);
+    result = intern(std::move(node));
+  }
+  return coefficient == NumberPool::one ? result : scale(coefficient, result);
+}
+
+NodeId Dag::product(std::vector<Operand> operands) {
+  const NumberId coefficient = take_numbers_out(operands);
+  if (coefficient == NumberPool::zero) return number(NumberPool::zero);
 
   // Open nested products. Constants of two of them must not meet: c1 (c2 s) with c2 s computed
   // anyway costs less than another constant c1 c2, and needs no storage.
@@ -165,7 +181,6 @@ NodeId Dag::product(std::vector<Operand> operands) {
     }
   }
   sort_and_merge(flat);
-  if (flat.empty()) return number(coefficient);
 
   // What is known at rest is one factor of what is not: a grouped constant that no later pass
   // takes apart.
@@ -181,42 +196,13 @@ NodeId Dag::product(std::vector<Operand> operands) {
     rest_of_all.push_back({intern(std::move(constant)), NumberPool::one});
     flat = std::move(rest_of_all);
   }
-  NodeId result;
-  if (flat.size() == 1 && flat[0].factor == NumberPool::one) {
-    result = flat[0].node;
-  } else {
-    Node node;
-    node.kind = Kind::product;
-    node.operands = std::move(flat);
-    result = intern(std::move(node));
-  }
-  return coefficient == NumberPool::one ? result : scale(coefficient, result);
+  return scaled_product(coefficient, std::move(flat));
 }
 
 NodeId Dag::product_of_groups(std::vector<Operand> operands) {
-  NumberId coefficient = NumberPool::one;
-  for (Operand& operand : operands) {
-    const Node& node = nodes_[operand.node];
-    const auto [n, denominator] = exponent_of(*numbers_, operand.factor);
-    if (denominator != 1) continue;
-    if (node.kind == Kind::number) {
-      coefficient = numbers_->multiply(coefficient, numbers_->power(node.value, n));
-      operand.factor = NumberPool::zero;
-    } else if (is_scaled(node)) {
-      coefficient = numbers_->multiply(coefficient, numbers_->power(node.operands[0].factor, n));
-      operand.node = node.operands[0].node;
-    }
-  }
+  const NumberId coefficient = take_numbers_out(operands);
   sort_and_merge(operands);
-  if (operands.empty() || coefficient == NumberPool::zero) return number(coefficient);
-  NodeId result = operands[0].node;
-  if (operands.size() > 1 || operands[0].factor != NumberPool::one) {
-    Node node;
-    node.kind = Kind::product;
-    node.operands = std::move(operands);
-    result = intern(std::move(node));
-  }
-  return coefficient == NumberPool::one ? result : scale(coefficient, result);
+  return scaled_product(coefficient, std::move(operands));
 }
 
 NodeId Dag::function(Function function, NodeId argument) {

@@ -95,6 +95,10 @@ class Dag {
  private:
   /// A product of later stage with a factor that is known at rest.
   [[nodiscard]] bool holds_constant_of_rest(NodeId id) const;
+  /// Removes numbers and the factors of scaled nodes from a product's operands; their product.
+  [[nodiscard]] NumberId take_numbers_out(std::vector<Operand>& operands) const;
+  /// coefficient * product of operands, which are sorted and merged.
+  [[nodiscard]] NodeId scaled_product(NumberId coefficient, std::vector<Operand> operands);
   void sort_and_merge(std::vector<Operand>& operands) const;
 
   std::shared_ptr<NumberPool> numbers_;

@@ -28,13 +28,19 @@ bool is_commutative(const GiNaC::ex& expression) {
   return GiNaC::is_a<GiNaC::add>(expression) || GiNaC::is_a<GiNaC::mul>(expression);
 }
 
-/// A text that does not depend on GiNaC's order: operands of sums and products sorted.
-std::string canonical_text(const GiNaC::ex& expression) {
+/// A text that does not depend on GiNaC's order: operands of sums and products sorted. Numbers in
+/// them are left out, since GiNaC moves signs and contents of inner sums by its own order: -(a - b)
+/// c in one run is (b - a) c in the next. With numbers it tells (1 + x) from (2 + x).
+std::string canonical_text(const GiNaC::ex& expression, bool with_numbers) {
   if (expression.nops() == 0) return printed(expression);
   std::vector<std::string> operands;
   for (std::size_t i = 0; i < expression.nops(); ++i) {
-    operands.push_back(canonical_text(expression.op(i)));
+    const bool is_number =
+        is_commutative(expression) && GiNaC::is_a<GiNaC::numeric>(expression.op(i));
+    if (is_number && !with_numbers) continue;
+    operands.push_back(canonical_text(expression.op(i), with_numbers));
   }
+  if (is_commutative(expression) && operands.size() == 1) return operands[0];
   if (is_commutative(expression)) std::sort(operands.begin(), operands.end());
   std::string text = GiNaC::is_a<GiNaC::add>(expression)     ? "+("
                      : GiNaC::is_a<GiNaC::mul>(expression)   ? "*("
@@ -50,7 +56,9 @@ std::string canonical_text(const GiNaC::ex& expression) {
 std::vector<GiNaC::ex> canonical_operands(const GiNaC::ex& expression) {
   std::vector<std::pair<std::string, GiNaC::ex>> keyed;
   for (std::size_t i = 0; i < expression.nops(); ++i) {
-    keyed.emplace_back(canonical_text(expression.op(i)), expression.op(i));
+    const std::string key =
+        canonical_text(expression.op(i), false) + " " + canonical_text(expression.op(i), true);
+    keyed.emplace_back(key, expression.op(i));
   }
   if (is_commutative(expression)) {
     std::stable_sort(keyed.begin(), keyed.end(),

@@ -1,5 +1,7 @@
 #include "symgen/emit/expression_printer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +10,7 @@
 namespace elastogen::symgen {
 namespace {
 
-std::string temporary_name(int index) { return "t" + std::to_string(index); }
+std::string temporary_name(int index) { return fmt::format("t{}", index); }
 
 /// Products of whole powers that a single sum uses are written inside it.
 bool is_written_inside_sum(const Statement& statement) {
@@ -104,9 +106,9 @@ std::string ExpressionPrinter::sum(const Fragment& fragment, const Statement& st
   std::string text;
   const auto append = [&text](bool negative, const std::string& part) {
     if (text.empty()) {
-      text = (negative ? "-" : "") + part;
+      text = negative ? fmt::format("-{}", part) : part;
     } else {
-      text += (negative ? " - " : " + ") + part;
+      text += fmt::format(" {} {}", negative ? '-' : '+', part);
     }
   };
   for (const TermGroup& group : statement.groups) {
@@ -128,7 +130,7 @@ std::string ExpressionPrinter::sum(const Fragment& fragment, const Statement& st
       if (!inner.empty()) inner += each.negative != flipped ? " - " : " + ";
       inner += term(fragment, each.value);
     }
-    if (group.terms.size() > 1) inner = "(" + inner + ")";
+    if (group.terms.size() > 1) inner = fmt::format("({})", inner);
     append(flipped, literal(group.size) + " * " + inner);
   }
   if (statement.constant.entry >= 0) {
@@ -148,10 +150,12 @@ std::string ExpressionPrinter::product(const Statement& statement) const {
     if (denominator != 1 || numerator < 0) {
       // group_stages leaves only whole powers of reciprocals and roots, each a statement alone
       std::string power = denominator == 1 ? base : root(base, denominator);
-      if (numerator < 0) power = number(1) + " / " + power;
-      return power;
+      return numerator < 0 ? fmt::format("{} / {}", number(1), power) : power;
     }
-    for (long k = 0; k < numerator; ++k) text += (text.empty() ? "" : " * ") + base;
+    for (long k = 0; k < numerator; ++k) {
+      if (!text.empty()) text += " * ";
+      text += base;
+    }
   }
   return text;
 }

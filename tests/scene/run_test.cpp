@@ -144,9 +144,13 @@ name = "grip"
 plane = { x = 2.0 }
 )";
 
-TEST_F(Run, PrescribedStretchGivesTheReactionByHand) {
-  const ProcessResult result = run_scene(write(pulled_bar));
+class Method : public Run, public testing::WithParamInterface<const char*> {};
+
+TEST_P(Method, GivesTheReactionToAPrescribedStretchByHand) {
+  const std::string solver = std::string("[solver]\nmethod = \"") + GetParam() + "\"\n";
+  const ProcessResult result = run_scene(write(pulled_bar + solver));
   ASSERT_EQ(result.exit_status, 0) << result.output;
+  EXPECT_EQ(summary()["solver"]["method"], GetParam());
   const nlohmann::json probes = summary()["probes"];
   // F = 1.1: first Piola-Kirchhoff stress P = F E (F^2 - 1) / 2, on 1 m^2.
   const double force = 1.1 * 1e6 * (1.1 * 1.1 - 1) / 2;
@@ -154,6 +158,8 @@ TEST_F(Run, PrescribedStretchGivesTheReactionByHand) {
   EXPECT_NEAR(probes[1]["reaction"][0], force, 1e-6 * force);
   EXPECT_NEAR(probes[1]["displacement"][0], 0.2, 1e-15);
 }
+
+INSTANTIATE_TEST_SUITE_P(All, Method, testing::Values("cg", "cholesky"));
 
 TEST_F(Run, KeepsWhatWasReachedWhenNewtonDoesNotConverge) {
   const ProcessResult result =
@@ -166,8 +172,8 @@ TEST_F(Run, KeepsWhatWasReachedWhenNewtonDoesNotConverge) {
 
 TEST_F(Run, EndsAtTheNextIterationOnCtrlC) {
   // Conjugate gradient on this mesh takes far longer than noticing its first line.
-  const std::string scene = "gravity = [0, 0, -9.81]\n" + pulled_bar +
-                            "[solver]\nmethod = \"cg\"\n[output]\nwrite = [\"vtu\"]\n";
+  const std::string scene =
+      "gravity = [0, 0, -9.81]\n" + pulled_bar + "[output]\nwrite = [\"vtu\"]\n";
   const std::string log = (out().parent_path() / "log").string();
   const std::string script =
       "\"$1\" run \"$2\" --out \"$3\" --cells 96x12x12 2> \"$4\" & pid=$!\n"

@@ -115,7 +115,8 @@ TEST(GroupStages, WhatIsKnownEarlierIsOneNode) {
   ASSERT_EQ(root.operands.size(), 2U);  // v, and the state
   for (const Operand& operand : root.operands) {
     const Node& node = grouped.dag[operand.node];
-    if (node.stage == Stage::state) EXPECT_EQ(node.operands.size(), 2U);  // u, and c + d
+    if (node.stage != Stage::state) continue;
+    EXPECT_EQ(node.operands.size(), 2U);  // u, and c + d
   }
 }
 

@@ -153,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownMethod",
                 "[bar]",
                 "[solver]\nmethod = \"cholesk\"\n[bar]",
-                {"solver.method = 'cholesk': must be one of: cholesky, cg",
+                {"solver.method = 'cholesk': must be one of: cg, cholesky",
                  "did you mean 'cholesky'?"}},
         Mistake{"ToleranceZero",
                 "[bar]",
