@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include "runtime/error.h"
 #include "selector/commands/command.h"
@@ -34,6 +35,10 @@ Examples:
 Exit status: 0, 1 the work failed (no convergence, no compiler, disk full), 2 the call was wrong.
 Environment: CXX (compiler), ELASTOGEN_LAWS (law folders), ELASTOGEN_CACHE_DIR (compiled kernels).)";
 
+std::vector<CLI::App*> commands(CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
 void declare(CLI::App& app, Context& context) {
   app.description("Kernels for elastic solids, generated from energies, and scenes run with them");
   app.footer(footer);
@@ -47,14 +52,15 @@ void declare(CLI::App& app, Context& context) {
   app.add_option("--profile", context.profile, "Target profile that costs are weighed for")
       ->check(CLI::IsMember(elastogen::symgen::profile_names()))
       ->capture_default_str();
-  app.add_option("--grouping", context.grouping,
-                 "How grouped constants are chosen: by the cheapest cut, or all of them as in the "
-                 "thesis's algorithm 6")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, elastogen::symgen::Grouping>{
-              {"minimum-cut", elastogen::symgen::Grouping::minimum_cut},
-              {"algorithm6", elastogen::symgen::Grouping::algorithm6}},
-          CLI::ignore_case))
+  app.add_option_function<std::string>(
+         "--grouping",
+         [&context](const std::string& name) {
+           context.grouping = name == "algorithm6" ? elastogen::symgen::Grouping::algorithm6
+                                                   : elastogen::symgen::Grouping::minimum_cut;
+         },
+         "How grouped constants are chosen: by the cheapest cut, or all of them as in the "
+         "thesis's algorithm 6")
+      ->check(CLI::IsMember({"minimum-cut", "algorithm6"}))
       ->default_str("minimum-cut");
   app.add_option("--threads", context.threads, "Threads; 0: all of the machine")
       ->check(CLI::Range(0, 4096))
@@ -66,18 +72,20 @@ void declare(CLI::App& app, Context& context) {
   elastogen::selector::add_generate_command(app, context);
   elastogen::selector::add_evaluate_command(app, context);
   elastogen::selector::add_run_command(app, context);
+  for (CLI::App* command : commands(app)) {
+    command->footer(command->get_footer() +
+                    "\nOptions of every command, such as --laws and --threads: elastogen --help");
+  }
 }
 
-std::vector<std::string> command_names(const CLI::App& app) {
+std::vector<std::string> command_names(CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    names.push_back(command->get_name());
-  }
+  for (const CLI::App* command : commands(app)) names.push_back(command->get_name());
   return names;
 }
 
 /// Words that the command line may hold: commands, or options of the command that was given.
-std::string suggestion(const CLI::App& app, const std::string& word) {
+std::string suggestion(CLI::App& app, const std::string& word) {
   if (!word.starts_with("-")) return elastogen::selector::did_you_mean(word, command_names(app));
   std::vector<std::string> known;
   const auto add_options = [&](const CLI::App& owner) {
@@ -90,7 +98,7 @@ std::string suggestion(const CLI::App& app, const std::string& word) {
   return elastogen::selector::did_you_mean(word, known);
 }
 
-int report_wrong_call(const CLI::App& app, const CLI::ParseError& error) {
+int report_wrong_call(CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> extras = app.remaining(true);
   std::string message = error.what();
   if (extras.empty() && app.get_subcommands().empty() && error.get_name() == "RequiredError") {
@@ -111,6 +119,12 @@ int report(const char* text, int status) {
   return status;
 }
 
+/// Output that a full disk swallowed must not look like success.
+int check_output(int status) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  return report("standard output cannot be written", exit_work_failed);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -119,7 +133,7 @@ int main(int argc, char** argv) {
   declare(app, context);
   try {
     app.parse(argc, argv);
-    return context.action();
+    return check_output(context.action());
   } catch (const CLI::Success& help_or_version) {
     return app.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
@@ -129,6 +143,8 @@ int main(int argc, char** argv) {
   } catch (const elastogen::InternalError& error) {
     return report(fmt::format("internal error (a bug of elastogen): {}", error.what()).c_str(),
                   exit_work_failed);
+  } catch (const std::bad_alloc&) {
+    return report("there is not enough memory for this", exit_work_failed);
   } catch (const std::exception& error) {
     return report(error.what(), exit_work_failed);
   }

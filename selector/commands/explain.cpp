@@ -46,6 +46,15 @@ Json decimals(const std::vector<std::vector<GiNaC::ex>>& rows) {
   return array;
 }
 
+/// For what a double holds exactly, or nearly so.
+Json numbers(const std::vector<GiNaC::ex>& values) {
+  Json array = Json::array();
+  for (const GiNaC::ex& value : values) {
+    array.push_back(GiNaC::ex_to<GiNaC::numeric>(value.evalf()).to_double());
+  }
+  return array;
+}
+
 Json law_json(const symgen::Law& law) {
   Json terms = Json::array();
   for (const symgen::LawTerm& term : law.terms) terms.push_back(term.text);
@@ -90,6 +99,14 @@ Json variant_json(const symgen::VariantReport& variant) {
 /// of the general geometry.
 Json explanation_json(const Explanation& explanation) {
   const symgen::GeneratedAssociation& generated = explanation.generated;
+  Json coordinates = Json::array();
+  for (const GiNaC::symbol& coordinate : explanation.element.coordinates) {
+    coordinates.push_back(coordinate.get_name());
+  }
+  Json nodes = Json::array();
+  for (const std::vector<GiNaC::ex>& node : explanation.element.nodes) {
+    nodes.push_back(numbers(node));
+  }
   Json shape_functions = Json::array();
   for (const GiNaC::ex& function : explanation.element.shape_functions) {
     shape_functions.push_back(expression_text(function));
@@ -102,7 +119,8 @@ Json explanation_json(const Explanation& explanation) {
           {"law", law_json(explanation.law)},
           {"element",
            {{"name", explanation.element.name},
-            {"reference_nodes", decimals(explanation.element.nodes)},
+            {"coordinates", coordinates},
+            {"reference_nodes", nodes},
             {"shape_functions", shape_functions}}},
           {"quadrature",
            {{"name", explanation.quadrature.name},
@@ -130,17 +148,23 @@ void print_variant(const symgen::VariantReport& variant) {
   }
 }
 
+/// What a law file need not say is left out, with the marks around it.
+std::string if_given(const std::string& before, const std::string& text, const char* after = "") {
+  return text.empty() ? "" : before + text + after;
+}
+
 void print_explanation(const Explanation& explanation) {
   const symgen::Law& law = explanation.law;
   const symgen::GeneratedAssociation& generated = explanation.generated;
   fmt::print("{}\n", generated.id.text());
-  fmt::print("  law         {} ({})\n", law.title, law.source);
+  fmt::print("  law         {}{}\n", law.title.empty() ? law.name : law.title,
+             if_given(" (", law.source, ")"));
   for (const symgen::LawTerm& term : law.terms) {
     fmt::print("              term {}: {}\n", term.name, term.text);
   }
   for (const symgen::Parameter& parameter : law.parameters) {
-    fmt::print("              parameter {} [{}]: {}\n", parameter.name, parameter.unit,
-               parameter.description);
+    fmt::print("              parameter {} [{}]{}\n", parameter.name, parameter.unit,
+               if_given(": ", parameter.description));
   }
   fmt::print("  element     {}, {} nodes\n", explanation.element.name,
              explanation.element.num_nodes());

@@ -15,6 +15,7 @@
 #include "selector/io/gnuplot.h"
 #include "selector/io/vtu.h"
 #include "selector/scene/interrupt.h"
+#include "selector/scene/located_error.h"
 #include "selector/scene/summary.h"
 #include "selector/support/files.h"
 
@@ -224,6 +225,9 @@ int run(const RunOptions& options, const Context& context) {
   context.tell(fmt::format("mesh: {} elements, {} nodes", mesh.num_elements(), mesh.num_nodes()));
   summary.warnings = mesh_warnings(problem.mesh);
   for (const std::string& warning : summary.warnings) warn(warning);
+  summary.folder =
+      options.out.empty() ? std::filesystem::path("out") / scene.file.stem() : options.out;
+  check_can_be_written(summary.folder);
   summary.times.mesh = watch.lap();
 
   summary.operations = operations_of(scene.solver.method, problem.constraints);
@@ -240,11 +244,10 @@ int run(const RunOptions& options, const Context& context) {
   summary.times.kernels = watch.lap();
 
   const int threads = context.threads > 0 ? context.threads : scene.solver.threads;
-  Model model = make_model(problem, tables, threads);
+  Model model = with_location(scene.file.string(), "mesh",
+                              [&] { return make_model(problem, tables, threads); });
   summary.groups = model.groups();
   summary.threads = model.num_threads();
-  summary.folder =
-      options.out.empty() ? std::filesystem::path("out") / scene.file.stem() : options.out;
   create_folder(summary.folder);
   summary.times.setup = watch.lap();
   context.tell(fmt::format("setup: grouped constants of {} elements in {:.2f} s, {} threads",
@@ -280,10 +283,20 @@ void add_run_command(CLI::App& app, Context& context) {
   const auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand(
       "run", "Simulate a scene (docs/scene.md): makes its kernels, solves, writes results");
-  command->add_option("scene", options->scene, "Scene file, TOML")->required();
-  command->add_option("--out", options->out, "Folder for results; default out/NAME_OF_THE_SCENE");
-  command->add_option("--cells", options->cells,
-                      "Divide the scene's bar differently: NXxNYxNZ, as in 48x8x8");
+  command->footer(
+      "Writes a VTU file, a deflection curve, pictures and summary.json, as the scene asks.\n"
+      "Exit status: 0 converged; 1 not converged, or the work failed; 2 the scene or the call is\n"
+      "wrong, nothing is written; 130 ended by Ctrl-C. What Newton reached is always written.\n"
+      "Examples:\n"
+      "  elastogen run scenes/mixed_beam.toml --out out/mixed_beam\n"
+      "  elastogen run scenes/beam_hexa8.toml --cells 48x8x8 --threads 2 --json");
+  command->add_option("SCENE", options->scene, "Scene file, TOML")->required();
+  command->add_option("--out", options->out, "Folder for results; default out/NAME_OF_THE_SCENE")
+      ->type_name("DIR");
+  command
+      ->add_option("--cells", options->cells,
+                   "Divide the scene's bar differently: NXxNYxNZ, as in 48x8x8")
+      ->type_name("CELLS");
   command->add_flag("--json", options->json, "Print the summary as JSON");
   command->callback([options, &context] {
     context.action = [options, &context] { return run(*options, context); };

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <system_error>
 
 #include "runtime/error.h"
@@ -35,6 +37,19 @@ void write_atomically(const std::filesystem::path& path,
     const std::string reason = error.message();
     std::filesystem::remove(temporary, error);
     throw WorkError(fmt::format("{}: cannot be written: {}", path.string(), reason));
+  }
+}
+
+void check_can_be_written(const std::filesystem::path& folder) {
+  std::error_code error;
+  if (!std::filesystem::exists(folder, error)) return;
+  if (!std::filesystem::is_directory(folder, error)) {
+    throw InputError(fmt::format("{}: results need a folder, and this is a file: name another",
+                                 folder.string()));
+  }
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw WorkError(fmt::format("{}: results cannot be written there: {}", folder.string(),
+                                std::strerror(errno)));
   }
 }
 

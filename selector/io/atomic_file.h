@@ -16,6 +16,12 @@ namespace elastogen::selector {
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& temporary)>& write);
 
+/// Finds out, before long work, whether its results could be written into the folder, which need
+/// not exist yet. Changes nothing.
+/// @throws InputError  if a file has its name
+/// @throws WorkError   if it is there and nothing can be written into it
+void check_can_be_written(const std::filesystem::path& folder);
+
 /// Creates a folder and its parents where they do not exist.
 /// @throws WorkError  when that cannot be done, for instance because a file has that name
 void create_folder(const std::filesystem::path& folder);

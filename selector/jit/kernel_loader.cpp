@@ -165,8 +165,10 @@ void KernelLoader::open(Job& job, const fs::path& library) {
 }
 
 bool KernelLoader::take_from_cache(Job& job) const {
+  // Entries appear whole: one without a library is as damaged as one with a bad library, and in
+  // the way of the one that replaces it.
   std::error_code error;
-  if (!options_.use_cache || !fs::exists(job.entry / library_name, error)) return false;
+  if (!options_.use_cache || !fs::exists(job.entry, error)) return false;
   try {
     open(job, job.entry / library_name);
   } catch (const BadLibrary& bad) {

@@ -24,7 +24,7 @@ int end_layer(const BarDescription& bar, const SectionDescription& section) {
     throw InputError(fmt::format(
         "{}: {}.until = {}: the section ends inside a cell, after {:.6g} of the bar's {} cells "
         "along x: take a number of cells that is divisible, or until = {:.6g}",
-        section.where, section.path, section.until, layers, bar.cells[0],
+        section.until_where, section.path, section.until, layers, bar.cells[0],
         std::max(nearest, 1.0) / bar.cells[0]));
   }
   return static_cast<int>(nearest);
@@ -141,7 +141,7 @@ void check_size(const BarDescription& bar) {
     throw InputError(
         fmt::format("{}: bar.cells = [{}, {}, {}]: too many for node numbers of 32 "
                     "bits: take fewer",
-                    bar.where, bar.cells[0], bar.cells[1], bar.cells[2]));
+                    bar.cells_where, bar.cells[0], bar.cells[1], bar.cells[2]));
   }
 }
 
@@ -153,7 +153,7 @@ SceneMesh make_bar(const BarDescription& bar) {
   std::vector<int> ends;
   for (const SectionDescription& section : bar.sections) {
     const CubeCut& cut =
-        with_location(section.where, section.path + ".association",
+        with_location(section.association_where, section.path + ".association",
                       [&]() -> const CubeCut& { return cube_cut(section.association.element); });
     ends.push_back(end_layer(bar, section));
     layer_has_centres.resize(static_cast<std::size_t>(ends.back()), cut.uses_centre);
@@ -168,7 +168,8 @@ SceneMesh make_bar(const BarDescription& bar) {
     const std::int32_t region = region_number(result.mesh, section.region);
     result.mesh.blocks.push_back(
         cut_layers(bar, grid, section.association.element, first, ends[s], region));
-    result.blocks.push_back({section.where, section.path, section.association, section.region});
+    result.blocks.push_back({section.path, section.association, section.association_where,
+                             section.region, section.region_where});
     first = ends[s];
   }
   for (int i = 0; i <= bar.cells[0]; ++i) {

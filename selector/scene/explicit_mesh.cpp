@@ -23,13 +23,13 @@ void check_node_numbers(const BlockDescription& block, std::size_t first_element
         throw InputError(
             fmt::format("{}: {}: element {} has the node {}: nodes are numbered from 0 "
                         "to {}",
-                        block.where, block.path, first_element + e, node, num_nodes - 1));
+                        block.elements_where, block.path, first_element + e, node, num_nodes - 1));
       }
       if (std::count(nodes.begin(), nodes.end(), node) > 1) {
         throw InputError(
             fmt::format("{}: {}: element {} has the node {} twice: its nodes must "
                         "differ",
-                        block.where, block.path, first_element + e, node));
+                        block.elements_where, block.path, first_element + e, node));
       }
     }
   }
@@ -85,16 +85,17 @@ SceneMesh make_explicit_mesh(const ExplicitMeshDescription& description) {
     check_node_numbers(source, mesh.num_elements(), description.nodes.size());
     ElementBlock block;
     block.element = source.association.element;
-    block.nodes_per_element = with_location(source.where, source.path + ".association", [&] {
-      return element_topology(block.element).num_nodes;
-    });
+    block.nodes_per_element =
+        with_location(source.association_where, source.path + ".association",
+                      [&] { return element_topology(block.element).num_nodes; });
     const std::int32_t region = region_number(mesh, source.region);
     for (const std::vector<int>& nodes : source.elements) {
       block.nodes.insert(block.nodes.end(), nodes.begin(), nodes.end());
       block.region.push_back(region);
     }
     mesh.blocks.push_back(std::move(block));
-    result.blocks.push_back({source.where, source.path, source.association, source.region});
+    result.blocks.push_back({source.path, source.association, source.association_where,
+                             source.region, source.region_where});
   }
   check_use_of_nodes(description, mesh);
   const FaceMatching matching = match_faces(mesh);

@@ -42,7 +42,7 @@ std::vector<std::size_t> materials_of_blocks(const std::vector<MaterialDescripti
       throw InputError(fmt::format(
           "{}: {}.region = '{}': this region has no material{}; add [material.{}], or name it in "
           "the 'regions' of a material",
-          block.where, block.path, block.region, did_you_mean(block.region, with_material),
+          block.region_where, block.path, block.region, did_you_mean(block.region, with_material),
           block.region));
     }
     found.push_back(static_cast<std::size_t>(material - materials.begin()));
@@ -88,10 +88,10 @@ std::vector<double> law_parameters(const MaterialDescription& material, const sy
     const double poisson = table.number("poisson", any_number);
     constexpr NumberRange allowed{-1, 0.5, true, true};
     if (!allowed.contains(poisson)) {
-      table.fail("poisson",
-                 fmt::format("must be in (-1, 0.5) for law '{}' (lambda is unbounded at 0.5, mu at "
-                             "-1); give a ratio up to 0.4999",
-                             law.name));
+      const std::string remedy =
+          poisson < 0 ? "(the shear modulus is unbounded at -1); give a ratio from -0.9999"
+                      : "(the bulk modulus is unbounded at 0.5); give a ratio up to 0.4999";
+      table.fail("poisson", fmt::format("must be in (-1, 0.5) for law '{}' {}", law.name, remedy));
     }
     return with_location(table.where(), table.path(), [&] {
       return symgen::parameters_from_young_poisson(law, young, poisson);

@@ -27,11 +27,12 @@ std::map<std::string, symgen::Law> read_laws(
     const std::string& name = block.association.law;
     if (used.contains(name)) continue;
     const auto listed = own.find(name);
-    used.emplace(name, listed != own.end()
-                           ? listed->second
-                           : with_location(block.where, block.path + ".association", [&] {
-                               return symgen::read_law(symgen::find_law_file(name, law_folders));
-                             }));
+    used.emplace(name,
+                 listed != own.end()
+                     ? listed->second
+                     : with_location(block.association_where, block.path + ".association", [&] {
+                         return symgen::read_law(symgen::find_law_file(name, law_folders));
+                       }));
   }
   return used;
 }
@@ -43,7 +44,7 @@ void check_quadrature(const SceneMesh::Block& block, const symgen::Law& law) {
     throw InputError(fmt::format(
         "{}: {}.association = '{}': the quadrature '{}' is only for laws that are polynomials of "
         "the displacement gradient, which '{}' is not: take one of {}",
-        block.where, block.path, id.text(), id.quadrature, law.name,
+        block.association_where, block.path, id.text(), id.quadrature, law.name,
         fmt::join(symgen::quadrature_names(id.element), ", ")));
   }
 }

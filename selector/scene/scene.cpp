@@ -66,11 +66,13 @@ NodeSelection read_selection(const TomlTable& table) {
 SectionDescription read_section(const TomlTable& table) {
   table.allow_only({"until", "association", "region"});
   SectionDescription section;
-  section.where = table.where();
   section.path = table.path();
   section.until = table.number("until", {0, 1, true, false});
+  section.until_where = table.where("until");
   section.association = read_association(table);
+  section.association_where = table.where("association");
   section.region = table.string("region");
+  section.region_where = table.where("region");
   return section;
 }
 
@@ -95,11 +97,11 @@ std::vector<SectionDescription> read_sections(const TomlTable& bar) {
 BarDescription read_bar(const TomlTable& table) {
   table.allow_only({"length", "width", "height", "cells", "section"});
   BarDescription bar;
-  bar.where = table.where();
   bar.size = {table.number("length", positive_number), table.number("width", positive_number),
               table.number("height", positive_number)};
   const std::vector<int> cells = table.integers("cells", 3, 1);
   bar.cells = {cells[0], cells[1], cells[2]};
+  bar.cells_where = table.where("cells");
   bar.sections = read_sections(table);
   return bar;
 }
@@ -107,13 +109,15 @@ BarDescription read_bar(const TomlTable& table) {
 BlockDescription read_block(const TomlTable& table) {
   table.allow_only({"association", "region", "elements"});
   BlockDescription block;
-  block.where = table.where();
   block.path = table.path();
   block.association = read_association(table);
+  block.association_where = table.where("association");
   block.region = table.string("region");
-  const auto num_nodes =
-      with_location(table.where("association"), table.path_of("association"),
-                    [&] { return symgen::find_element(block.association.element).num_nodes(); });
+  block.region_where = table.where("region");
+  const auto num_nodes = with_location(block.association_where, table.path_of("association"), [&] {
+    return symgen::find_element(block.association.element).num_nodes();
+  });
+  block.elements_where = table.where("elements");
   block.elements = table.integer_rows("elements", static_cast<std::size_t>(num_nodes));
   if (block.elements.empty()) table.fail("elements", "must have one element or more");
   return block;

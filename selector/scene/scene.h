@@ -22,29 +22,33 @@ struct NodeSelection {
 
 /// A part of a bar along x, cut into elements of one kind.
 struct SectionDescription {
-  std::string where;
-  std::string path;  ///< "bar.section[1]"
-  double until = 1;  ///< end, as a fraction of the bar's length
+  std::string path;         ///< "bar.section[1]"
+  double until = 1;         ///< end, as a fraction of the bar's length
+  std::string until_where;  ///< "scene.toml:14", for messages; so are those below
   symgen::AssociationId association;
+  std::string association_where;
   std::string region;
+  std::string region_where;
 };
 
 /// A bar [0, length] x [0, width] x [0, height], divided into a grid of cells that every section
 /// cuts into its elements (thesis, section 5.3 and codes 19 and 23).
 struct BarDescription {
-  std::string where;
   std::array<double, 3> size{};  ///< length, width, height: along x, y, z [m]
   std::array<int, 3> cells{};    ///< along x, y, z
+  std::string cells_where;
   std::vector<SectionDescription> sections;
 };
 
 /// Elements written out by hand.
 struct BlockDescription {
-  std::string where;
   std::string path;  ///< "mesh.block[1]"
   symgen::AssociationId association;
+  std::string association_where;
   std::string region;
+  std::string region_where;
   std::vector<std::vector<int>> elements;  ///< node numbers from 0, in the element's order
+  std::string elements_where;
 };
 
 struct ExplicitMeshDescription {

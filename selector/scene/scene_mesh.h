@@ -15,10 +15,11 @@ namespace elastogen::selector {
 struct SceneMesh {
   /// What the elements of one block are computed with.
   struct Block {
-    std::string where;  ///< in the scene file
-    std::string path;   ///< "bar.section[1]"
+    std::string path;  ///< "bar.section[1]"
     symgen::AssociationId association;
+    std::string association_where;  ///< in the scene file
     std::string region;
+    std::string region_where;  ///< in the scene file
   };
 
   Mesh mesh;                      ///< one block for each section of a bar or block of a mesh

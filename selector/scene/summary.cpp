@@ -85,7 +85,7 @@ Json times_json(const RunSummary& summary) {
   const NewtonTimes& newton = summary.results->newton.times;
   return {{"mesh", summary.times.mesh},           {"kernels", summary.times.kernels},
           {"setup", summary.times.setup},         {"solve", summary.times.solve},
-          {"solve_forces", newton.forces},        {"solve_linearization", newton.linearization},
+          {"solve_forces", newton.forces},        {"solve_tangents", newton.linearization},
           {"solve_linear_systems", newton.solve}, {"output", summary.times.output}};
 }
 
@@ -207,7 +207,8 @@ std::string summary_text(const RunSummary& summary) {
                       join(skipped_operations(summary.operations), ", "));
   text += fmt::format(
       "  times               mesh {:.2f} s, kernels {:.2f} s, setup {:.2f} s, solve {:.2f} s "
-      "(forces {:.2f}, linearization {:.2f}, linear systems {:.2f}), output {:.2f} s\n",
+      "(forces {:.2f}, tangents and their products {:.2f}, rest of linear systems {:.2f}), output "
+      "{:.2f} s\n",
       summary.times.mesh, summary.times.kernels, summary.times.setup, summary.times.solve,
       newton.times.forces, newton.times.linearization, newton.times.solve, summary.times.output);
   text += fmt::format("  files               {} in {}\n", join(summary.files, ", "),

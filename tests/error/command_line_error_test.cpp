@@ -20,6 +20,7 @@ TEST_F(CommandLine, SuggestsTheNearestCommandAndOption) {
 TEST_F(CommandLine, RefusesValuesThatAreNotOffered) {
   expect_error(2, {"explain"}, {"ASSOCIATION"});
   expect_error(2, {"list", "--profile", "cray"}, {"cray", "x86-dram"});
+  expect_error(2, {"list", "--grouping", "best"}, {"best", "{minimum-cut,algorithm6}"});
   expect_error(2, {"list", "--threads", "-1"}, {"--threads"});
   expect_error(2, {"explain", "hooke-tet4-q1-none", "--operation", "forces"}, {"--dot"});
 }
@@ -64,6 +65,45 @@ TEST_F(CommandLine, ListsIdsAsAJsonArray) {
   ASSERT_EQ(result.exit_status, 0) << result.output;
   EXPECT_EQ(nlohmann::json::parse(result.output),
             (nlohmann::json{"stvk-hexa8-q8-none", "stvk-hexa8-q27-none"}));
+}
+
+/// These keys are what other programs read.
+TEST_F(CommandLine, ExplainsAsJson) {
+  const ProcessResult result = elastogen({"explain", "stvk-hexa8-q8-none", "--json"});
+  ASSERT_EQ(result.exit_status, 0) << result.output;
+  const nlohmann::json json = nlohmann::json::parse(result.output);
+  EXPECT_EQ(json["association"], "stvk-hexa8-q8-none");
+  EXPECT_EQ(json["law"]["terms"], (nlohmann::json{"lambda/2*trE^2", "mu*trE2"}));
+  EXPECT_EQ(json["law"]["parameters"][1]["name"], "mu");
+  EXPECT_EQ(json["element"]["coordinates"], (nlohmann::json{"xi", "eta", "mu"}));
+  EXPECT_EQ(json["element"]["reference_nodes"].size(), 8U);
+  EXPECT_EQ(json["element"]["reference_nodes"][1], (nlohmann::json{1.0, -1.0, -1.0}));
+  EXPECT_EQ(json["element"]["shape_functions"].size(), 8U);
+  EXPECT_EQ(json["quadrature"]["points"][0][0], "-0.5773502691896257645091487805019574556476");
+  EXPECT_EQ(json["quadrature"]["weights"][7], "1.000000000000000000000000000000000000000");
+  for (const char* operation : {"energy", "forces", "product", "stiffness", "constants"}) {
+    for (const char* count : {"flops", "constants", "state", "bytes_read", "bytes_written",
+                              "fragments", "code_bytes"}) {
+      EXPECT_TRUE(json["operations"][operation][count].is_number_integer())
+          << operation << ' ' << count;
+    }
+  }
+}
+
+TEST_F(CommandLine, LeavesOutWhatALawDoesNotSay) {
+  write("laws/plain.toml",
+        "name = \"plain\"\n[[parameter]]\nname = \"mu\"\nunit = \"Pa\"\n"
+        "[[term]]\nname = \"shear\"\nenergy = \"mu*trE2\"\n");
+  const ProcessResult result = elastogen({"--laws", "laws", "explain", "plain-tet4-q1-none"});
+  EXPECT_NE(result.output.find("law         plain\n"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("parameter mu [Pa]\n"), std::string::npos) << result.output;
+}
+
+TEST_F(CommandLine, FailsWhereItsOutputIsLost) {
+  const ProcessResult result =
+      run_process({"sh", "-c", "'" ELASTOGEN_BINARY_DIR "/bin/elastogen' list > /dev/full"});
+  EXPECT_EQ(result.exit_status, 1) << result.output;
+  EXPECT_NE(result.output.find("error: "), std::string::npos) << result.output;
 }
 
 TEST_F(CommandLine, GeneratesOnceAndThenIsUpToDate) {

@@ -66,7 +66,7 @@ TEST_F(Scene, WithANegativeDensity) {
 
 TEST_F(Scene, WithAnInvertedElement) {
   expect_scene_error("[0, 1, 2, 3, 4, 5, 6, 7]", "[4, 5, 6, 7, 0, 1, 2, 3]",
-                     {"element 0", "inverted"});
+                     {"scene.toml", "element 0", "inverted"});
 }
 
 TEST_F(Scene, WithARegionWithoutMaterial) {

@@ -228,8 +228,8 @@ TEST_F(BadScene, CellsInWrongForm) {
 TEST_F(BadScene, OutIsAFile) {
   write_text_file(out(), "");
   const ProcessResult result = run_scene(write(pulled_bar));
-  EXPECT_EQ(result.exit_status, 1);
-  EXPECT_NE(result.output.find("a file has that name"), std::string::npos) << result.output;
+  EXPECT_EQ(result.exit_status, 2);
+  EXPECT_NE(result.output.find("this is a file"), std::string::npos) << result.output;
 }
 
 }  // namespace

@@ -102,6 +102,12 @@ TEST_F(Loader, MendsADamagedEntry) {
   EXPECT_TRUE(load(request()).report().up_to_date);
 }
 
+TEST_F(Loader, MendsAnEntryThatLostItsLibrary) {
+  fs::remove(load(request()).report().folder / "kernels.so");
+  EXPECT_FALSE(load(request()).report().up_to_date);
+  EXPECT_TRUE(load(request()).report().up_to_date);
+}
+
 TEST_F(Loader, KeepsNothingWithoutACache) {
   LoaderOptions without = options();
   without.use_cache = false;

@@ -21,12 +21,12 @@ const std::map<std::string, std::string> associations = {{"hexa8", "stvk-hexa8-q
 /// A bar of 3 x 0.7 x 0.4 m with one section for each element named.
 BarDescription bar_of(const std::vector<std::string>& elements, std::array<int, 3> cells) {
   BarDescription bar;
-  bar.where = "scene.toml:2";
+  bar.cells_where = "scene.toml:2";
   bar.size = {3.0, 0.7, 0.4};
   bar.cells = cells;
   for (std::size_t s = 0; s < elements.size(); ++s) {
     SectionDescription section;
-    section.where = "scene.toml:9";
+    section.until_where = "scene.toml:9";
     section.path = "bar.section[" + std::to_string(s + 1) + "]";
     section.until = static_cast<double>(s + 1) / static_cast<double>(elements.size());
     section.association = symgen::AssociationId::parse(associations.at(elements[s]));
