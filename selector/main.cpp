@@ -1,8 +1,10 @@
 // elastogen: the command line.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 
@@ -125,9 +127,19 @@ int check_output(int status) {
   return report("standard output cannot be written", exit_work_failed);
 }
 
+/// Threads that wait for each other by spinning make a run several times slower as soon as the
+/// machine has other work. OpenMP reads how to wait before main, so the program starts itself again
+/// with the setting, unless the user has made one.
+void let_threads_sleep(char** argv) {
+  if (std::getenv("OMP_WAIT_POLICY") != nullptr || std::getenv("GOMP_SPINCOUNT") != nullptr) return;
+  setenv("OMP_WAIT_POLICY", "passive", 1);
+  execv("/proc/self/exe", argv);  // returns only where it fails: then threads spin, as by default
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  let_threads_sleep(argv);
   CLI::App app;
   Context context;
   declare(app, context);

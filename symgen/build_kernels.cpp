@@ -35,17 +35,9 @@ Graph simplified(const Graph& graph) {
 
 /// Values and derivatives of one energy part, in a graph of their own.
 struct PartGraph {
-  Graph graph;  ///< roots: energy, forces, product
-  [[nodiscard]] std::vector<NodeId> energy() const { return {graph.roots[0]}; }
-  [[nodiscard]] std::vector<NodeId> forces() const { return half(0); }
-  [[nodiscard]] std::vector<NodeId> product() const { return half(1); }
-
- private:
-  [[nodiscard]] std::vector<NodeId> half(std::ptrdiff_t which) const {
-    const auto rows = static_cast<std::ptrdiff_t>(graph.roots.size() / 2);
-    const auto first = graph.roots.begin() + 1 + which * rows;
-    return {first, first + rows};
-  }
+  Dag dag;
+  NodeId energy;
+  std::vector<NodeId> forces, product, margins;
 };
 
 NodeId sum_of(ElementGraph& element, const EnergyPart& part) {
@@ -66,11 +58,14 @@ PartGraph differentiated(ElementGraph& element, const EnergyPart& part) {
   factored = factor(factored);
   const std::vector<NodeId> product =
       product_of(element, copy_into(element.dag, factored.dag, factored.roots));
-  std::vector<NodeId> roots{energy};
-  roots.insert(roots.end(), forces.begin(), forces.end());
-  roots.insert(roots.end(), product.begin(), product.end());
-  PartGraph result{{Dag(element.dag.number_pool()), {}}};
-  result.graph.roots = copy_into(result.graph.dag, element.dag, roots);
+  PartGraph result{Dag(element.dag.number_pool()), 0, {}, {}, {}};
+  const auto copied = [&](const std::vector<NodeId>& roots) {
+    return copy_into(result.dag, element.dag, roots);
+  };
+  result.energy = copied({energy})[0];
+  result.forces = copied(forces);
+  result.product = copied(product);
+  result.margins = copied(domain_of(element.dag, energy));
   return result;
 }
 
@@ -96,12 +91,14 @@ class Builder {
     product_ = {"product", num_dofs, {}, {}};
     for (const EnergyPart& part : parts) {
       const PartGraph graph = differentiated(element_, part);
-      energy_.pieces.push_back(piece(graph.graph.dag, graph.energy(), {0}));
+      energy_.pieces.push_back(piece(graph.dag, {graph.energy}, {0}, graph.margins));
+      std::vector<NodeId> margins = graph.margins;  // one fragment of the rows checks them
       for (const std::vector<int>& fragment_rows : rows) {
         forces_.pieces.push_back(
-            piece(graph.graph.dag, selected(graph.forces(), fragment_rows), fragment_rows));
+            piece(graph.dag, selected(graph.forces, fragment_rows), fragment_rows, margins));
         product_.pieces.push_back(
-            piece(graph.graph.dag, selected(graph.product(), fragment_rows), fragment_rows));
+            piece(graph.dag, selected(graph.product, fragment_rows), fragment_rows, margins));
+        margins.clear();
       }
     }
     pieces_per_part_ = rows.size();
@@ -123,7 +120,7 @@ class Builder {
     std::vector<bool> read(dag.size(), false);
     for (const auto* operation : {&energy_, &forces_, &product_, &geometry_}) {
       for (const Piece& each : operation->pieces) {
-        for (const NodeId root : each.roots) read[root] = true;
+        for (const NodeId value : values_of(each)) read[value] = true;
       }
     }
     for (std::size_t i = 0; i < dag.size(); ++i) {
@@ -158,6 +155,7 @@ class Builder {
     for (auto* operation : {&energy_, &forces_, &product_, &geometry_}) {
       for (Piece& each : operation->pieces) {
         for (NodeId& root : each.roots) root = image[root];
+        for (NodeId& margin : each.margins) margin = image[margin];
       }
     }
     kernels_.dag = std::move(result);
@@ -167,7 +165,8 @@ class Builder {
     std::vector<NodeId> roots;
     for (const auto* operation : {&energy_, &forces_, &product_}) {
       for (const Piece& each : operation->pieces) {
-        roots.insert(roots.end(), each.roots.begin(), each.roots.end());
+        const std::vector<NodeId> values = values_of(each);
+        roots.insert(roots.end(), values.begin(), values.end());
       }
     }
     const std::vector<NodeId> greedy = algorithm6(kernels_.dag, roots, Stage::rest);
@@ -189,16 +188,15 @@ class Builder {
       }
       const std::vector<NodeId> state =
           minimum_cut(kernels_.dag, roots, Stage::state, profile_.prices);
-      Piece stored{state, {}};
-      std::map<NodeId, int> index;
-      for (const NodeId id : state) {
-        index[id] = kernels_.num_state;
+      Piece stored{{}, {}, product_.pieces[first].margins};
+      for (const NodeId id : state) {  // parts may share state: store it once
+        if (!state_index_.try_emplace(id, kernels_.num_state).second) continue;
+        stored.roots.push_back(id);
         stored.outputs.push_back(kernels_.num_state++);
       }
       linearize_.pieces.push_back(std::move(stored));
       for (std::size_t k = first; k < first + pieces_per_part_; ++k) {
-        apply_.pieces.push_back(product_.pieces[k]);
-        state_of_piece_.push_back(index);
+        apply_.pieces.push_back({product_.pieces[k].roots, product_.pieces[k].outputs});
       }
     }
     linearize_.num_outputs = kernels_.num_state;
@@ -219,11 +217,13 @@ class Builder {
       for (std::size_t k = 0; k < operation->pieces.size(); ++k) {
         Inputs inputs = at_rest ? plain : with_constants;
         if (operation == &apply_) {
-          for (const auto& [id, index] : state_of_piece_[k]) inputs[id] = {Slot::state, index};
+          for (const auto& [id, index] : state_index_) inputs[id] = {Slot::state, index};
         }
         const Piece& each = operation->pieces[k];
+        std::vector<int> outputs = each.outputs;
+        outputs.resize(each.roots.size() + each.margins.size(), Output::margin);
         operation->fragments.push_back(
-            make_fragment(kernels_.dag, each.roots, each.outputs, inputs, style));
+            make_fragment(kernels_.dag, values_of(each), outputs, inputs, style));
         if (!at_rest && reads_positions(operation->fragments.back())) {
           kernels_.reads_positions = true;
         }
@@ -235,11 +235,23 @@ class Builder {
   VariantKernels take() { return std::move(kernels_); }
 
  private:
-  Piece piece(const Dag& source, const std::vector<NodeId>& roots, std::vector<int> outputs) {
+  Piece piece(const Dag& source, std::vector<NodeId> roots, std::vector<int> outputs,
+              const std::vector<NodeId>& margins) {
+    roots.insert(roots.end(), margins.begin(), margins.end());
     Graph graph{Dag(source.number_pool()), {}};
     graph.roots = copy_into(graph.dag, source, roots);
     graph = simplified(graph);
-    return {copy_into(kernels_.dag, graph.dag, graph.roots), std::move(outputs)};
+    roots = copy_into(kernels_.dag, graph.dag, graph.roots);
+    const auto first_margin = roots.begin() + static_cast<std::ptrdiff_t>(outputs.size());
+    Piece result{{roots.begin(), first_margin}, std::move(outputs), {first_margin, roots.end()}};
+    return result;
+  }
+
+  /// Everything that a piece computes.
+  static std::vector<NodeId> values_of(const Piece& piece) {
+    std::vector<NodeId> values = piece.roots;
+    values.insert(values.end(), piece.margins.begin(), piece.margins.end());
+    return values;
   }
 
   /// The kernel's inputs. A symbol that no kernel needs joins the graph here, unread.
@@ -281,7 +293,7 @@ class Builder {
   VariantKernels kernels_;
   OperationKernels constants_, geometry_, energy_, forces_, product_, linearize_, apply_;
   std::size_t pieces_per_part_ = 1;
-  std::vector<std::map<NodeId, int>> state_of_piece_;  // of apply
+  std::map<NodeId, int> state_index_;  // of stored state
 };
 
 }  // namespace
@@ -313,9 +325,9 @@ VariantKernels unoptimised_kernels(ElementGraph graph) {
   const std::vector<int> rows = counting(forces.size());
   const int num_dofs = static_cast<int>(forces.size());
   VariantKernels kernels;
-  kernels.operations = {{"energy", 1, {{{energy}, {0}}}, {}},
-                        {"forces", num_dofs, {{forces, rows}}, {}},
-                        {"product", num_dofs, {{product, rows}}, {}}};
+  kernels.operations = {{"energy", 1, {{{energy}, {0}, {}}}, {}},
+                        {"forces", num_dofs, {{forces, rows, {}}}, {}},
+                        {"product", num_dofs, {{product, rows, {}}}, {}}};
   kernels.dag = std::move(graph.dag);
   return kernels;
 }
@@ -332,8 +344,7 @@ long typical_fragment_flops(ElementGraph graph, const Split& split) {
   for (std::size_t part = 0; part < parts.size(); part += stride) {
     const PartGraph derivatives = differentiated(graph, parts[part]);
     Graph piece{Dag(graph.dag.number_pool()), {}};
-    piece.roots =
-        copy_into(piece.dag, derivatives.graph.dag, selected(derivatives.product(), rows));
+    piece.roots = copy_into(piece.dag, derivatives.dag, selected(derivatives.product, rows));
     piece = simplified(piece);
     const std::vector<bool> needed = piece.dag.reachable(piece.roots);
     long flops = 0;

@@ -17,6 +17,7 @@ namespace elastogen::symgen {
 struct Piece {
   std::vector<NodeId> roots;
   std::vector<int> outputs;
+  std::vector<NodeId> margins = {};  ///< positive where the law is defined
 };
 
 /// One operation: fragments that accumulate into its outputs.

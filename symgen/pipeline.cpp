@@ -195,6 +195,15 @@ Evaluation evaluated(const VariantKernels& kernels, const std::vector<std::vecto
     }
   }
   result.status = "ok";
+  for (const Piece& piece : kernels.operation("energy").pieces) {
+    for (const Number& margin : evaluate<Arithmetic>(kernels.dag, piece.margins, arithmetic,
+                                                     [&](NodeId id) { return value_of[id]; })) {
+      if (!(margin > from_double(0.0))) {
+        result.status =
+            "outside the law's domain: the argument of a logarithm or root is not positive";
+      }
+    }
+  }
   return result;
 }
 
@@ -294,8 +303,9 @@ std::string dot_graph(const AssociationId& id, const Law& law, const GenerateOpt
 }
 
 Evaluation evaluate_graph(const AssociationId& id, const Law& law, const ElementCase& input,
-                          GraphScalar scalar) {
-  const Formulation formulation(id, law, scalar == GraphScalar::dag_double);
+                          GraphScalar scalar, const GenerateOptions& options) {
+  const bool stabilise = scalar == GraphScalar::dag_double && options.stabilise;
+  const Formulation formulation(id, law, stabilise);
   ElementGraph graph = formulation.graph(law, Geometry::general);
   std::vector<std::vector<std::string>> names;
   for (const auto* nodes :
@@ -304,7 +314,7 @@ Evaluation evaluate_graph(const AssociationId& id, const Law& law, const Element
     for (const NodeId node : *nodes) names.back().push_back(graph.dag.symbol_name(node));
   }
   const std::vector<Stage> stages{Stage::rest, Stage::material, Stage::state, Stage::direction};
-  const Profile& profile = find_profile(GenerateOptions{}.profile);
+  const Profile& profile = find_profile(options.profile);
   VariantKernels kernels;
   if (scalar == GraphScalar::dag_double) {
     const Split split = choose_split(id, graph, formulation.element, profile).split;
@@ -328,7 +338,7 @@ Evaluation evaluate_graph(const AssociationId& id, const Law& law, const Element
           finite = finite && std::isfinite(value);
           return fmt::format("{:.17g}", value);
         });
-    if (!finite) result.status = "not finite: a result is NaN or infinite";
+    if (!finite && result.status == "ok") result.status = "not finite: a result is NaN or infinite";
     return result;
   }
   constexpr int shown_digits = 40;

@@ -4,12 +4,15 @@
 //     -> energy density W(H)          symgen/mechanics/energy        (GiNaC, definitions not
 //     expanded)
 //     -> lowered expression DAG       symgen/dag/lower               (exact numbers, hash-consed)
-//     -> element energies, forces,    symgen/mechanics/operations    (derivatives on the DAG)
-//        product, linearize/apply
-//     -> factored, common pairs out   symgen/passes/factor, symgen/passes/share_pairs
-//     -> grouped constants            symgen/passes/extract_grouped_constants
-//     -> fragments, scheduled         symgen/passes/split, symgen/passes/schedule
-//     -> C++ text and manifest        symgen/emit
+//     -> energies of the element      symgen/mechanics/element_graph (per law term and Gauss point)
+//     -> forces, product              symgen/dag/differentiate       (reverse, then forward mode)
+//     -> fragments                    symgen/passes/split
+//     -> factored, common pairs out   symgen/passes/factor, group_stages, share_pairs
+//     -> grouped constants, state     symgen/passes/extract_grouped_constants
+//     -> statements in order          symgen/emit/kernel_ast
+//     -> C++ text                     symgen/emit/print_cpp
+//
+// symgen/build_kernels calls the stages from derivatives to statements, symgen/pipeline the whole.
 #pragma once
 
 #include <cstdint>
@@ -130,8 +133,11 @@ struct ElementCase {
 
 enum class GraphScalar { dag_double, cln };
 
-/// Walks the expression graph without compiling anything. CLN: 60 digits working precision.
+/// Walks the expression graph without compiling anything. CLN: 100 digits working precision, 40
+/// shown. `options` choose the graph that double walks; CLN walks the textbook form before all
+/// passes.
 [[nodiscard]] Evaluation evaluate_graph(const AssociationId& id, const Law& law,
-                                        const ElementCase& input, GraphScalar scalar);
+                                        const ElementCase& input, GraphScalar scalar,
+                                        const GenerateOptions& options = {});
 
 }  // namespace elastogen::symgen

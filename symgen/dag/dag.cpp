@@ -67,7 +67,11 @@ NodeId Dag::symbol(const std::string& name, Stage stage) {
   const auto known = std::find(symbol_names_.begin(), symbol_names_.end(), name);
   node.symbol = static_cast<std::uint32_t>(known - symbol_names_.begin());
   if (known == symbol_names_.end()) symbol_names_.push_back(name);
-  return intern(std::move(node));
+  const NodeId id = intern(std::move(node));
+  if (nodes_[id].stage != stage) {
+    throw InternalError("symbol " + name + " stands for values of two stages");
+  }
+  return id;
 }
 
 void Dag::sort_and_merge(std::vector<Operand>& operands) const {

@@ -1,5 +1,7 @@
 #include "symgen/dag/evaluate.h"
 
+#include "runtime/kernel_support.h"
+
 namespace elastogen::symgen {
 
 double DoubleArithmetic::power(double base, const cln::cl_RA& exponent) const {
@@ -13,7 +15,7 @@ double DoubleArithmetic::apply(Function function, double x) const {
     case Function::log1p:
       return std::log1p(x);
     case Function::log1p_remainder:
-      return x - std::log1p(x);
+      return kernel::scalar_log1p_remainder(x);
     case Function::exp:
       return std::exp(x);
     case Function::none:

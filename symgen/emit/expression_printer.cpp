@@ -28,12 +28,11 @@ void ExpressionPrinter::print(const Fragment& fragment, bool accumulate, SourceW
   for (std::size_t i = 0; i < fragment.statements.size(); ++i) {
     const Statement& statement = fragment.statements[i];
     if (is_written_inside_sum(statement)) continue;
-    print_margins(statement, out);
-    out.line(declaration(temporary_name(static_cast<int>(i))) + " = " +
+    out.line(declaration(temporary_name(static_cast<int>(i)), statement.uniform) + " = " +
              right_side(fragment, statement) + ";");
   }
   for (const Output& each : fragment.outputs) {
-    std::string text = value(each.value);
+    std::string text = output_value(fragment, each.value);
     bool negative = each.negative;
     if (each.size.entry >= 0) {
       text = tabulated_number(each.size.entry) + " * " + text;
@@ -41,6 +40,10 @@ void ExpressionPrinter::print(const Fragment& fragment, bool accumulate, SourceW
       const double size = numbers_.value(each.size.value);
       negative = negative != (size < 0);
       if (std::abs(size) != 1) text = number(std::abs(size)) + " * " + text;
+    }
+    if (each.index == Output::margin) {
+      out.line(margin_update(negative ? "-" + text : text));
+      continue;
     }
     const std::string target = output(each.index, each.entry);
     if (accumulate) {
@@ -51,19 +54,13 @@ void ExpressionPrinter::print(const Fragment& fragment, bool accumulate, SourceW
   }
 }
 
-void ExpressionPrinter::print_margins(const Statement& statement, SourceWriter& out) const {
-  if (statement.kind == Kind::function && statement.function != Function::exp) {
-    const std::string argument = value(statement.factors[0].value);
-    const bool shifted = statement.function != Function::log;  // log(1 + x)
-    out.line(margin_update(shifted ? number(1) + " + " + argument : argument));
-  }
-  if (statement.kind == Kind::product) {
-    for (const Factor& factor : statement.factors) {
-      if (factor.exponent.denominator != 1) {
-        out.line(margin_update(value(factor.value)));
-      }
-    }
-  }
+std::string ExpressionPrinter::output_value(const Fragment& fragment,
+                                            const Reference& reference) const {
+  const std::string text = value(reference);
+  const bool is_uniform =
+      reference.slot == Slot::number || reference.slot == Slot::parameter ||
+      (reference.slot == Slot::temporary && fragment.statements[reference.index].uniform);
+  return is_uniform ? spread(text) : text;
 }
 
 std::string ExpressionPrinter::right_side(const Fragment& fragment,

@@ -26,7 +26,10 @@ class ExpressionPrinter {
   /// An input; its index is `index` or, with entry >= 0, that of the table row.
   [[nodiscard]] virtual std::string input(Slot slot, int index, int entry) const = 0;
   [[nodiscard]] virtual std::string output(int index, int entry) const = 0;
-  [[nodiscard]] virtual std::string declaration(const std::string& name) const = 0;
+  /// `uniform`: of parameters and numbers only, the same for all elements.
+  [[nodiscard]] virtual std::string declaration(const std::string& name, bool uniform) const = 0;
+  /// A uniform value where one of each element is expected.
+  [[nodiscard]] virtual std::string spread(const std::string& value) const = 0;
   [[nodiscard]] virtual std::string function_call(Function function,
                                                   const std::string& argument) const = 0;
   [[nodiscard]] virtual std::string root(const std::string& argument, long degree) const = 0;
@@ -40,7 +43,8 @@ class ExpressionPrinter {
   [[nodiscard]] std::string product(const Statement& statement) const;
   [[nodiscard]] std::string term(const Fragment& fragment, const Reference& reference) const;
   [[nodiscard]] std::string right_side(const Fragment& fragment, const Statement& statement) const;
-  void print_margins(const Statement& statement, SourceWriter& out) const;
+  [[nodiscard]] std::string output_value(const Fragment& fragment,
+                                         const Reference& reference) const;
 
   const NumberPool& numbers_;
 };

@@ -128,6 +128,11 @@ class Scheduler {
     if (value.slot == Slot::temporary) ++fragment_.statements[value.index].uses;
   }
 
+  bool is_uniform(const Reference& value) const {
+    return value.slot == Slot::number || value.slot == Slot::parameter ||
+           (value.slot == Slot::temporary && fragment_.statements[value.index].uniform);
+  }
+
   bool is_negative(NumberId factor) const { return dag_.numbers().value(factor) < 0; }
   NumberId size_of(NumberId factor) const {
     return is_negative(factor) ? dag_.numbers().negate(factor) : factor;
@@ -158,6 +163,9 @@ class Scheduler {
                 [](const Factor& a, const Factor& b) { return a.value < b.value; });
       for (const Factor& factor : statement.factors) use(factor.value);
     }
+    statement.uniform =
+        std::all_of(node.operands.begin(), node.operands.end(),
+                    [this](const Operand& operand) { return is_uniform(reference(operand.node)); });
     fragment_.operations += cost_of(dag_, id);
     temporaries_.emplace(id, static_cast<int>(fragment_.statements.size()));
     fragment_.statements.push_back(std::move(statement));

@@ -65,10 +65,13 @@ struct Statement {
   std::vector<Factor> factors;         ///< product; function: the argument
   int uses = 0;                        ///< by later statements and outputs of this fragment
   bool used_by_sum = false;
+  bool uniform = false;  ///< of parameters and numbers only: one value for all elements
 };
 
-/// output[index] (+)= sign * size * value
+/// output[index] (+)= sign * size * value; or, with index `margin`: the law is defined where the
+/// value is positive.
 struct Output {
+  static constexpr int margin = -1;
   int index = 0;
   int entry = -1;  ///< >= 0: the index is taken from the member's table
   bool negative = false;

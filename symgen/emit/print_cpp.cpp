@@ -30,7 +30,12 @@ class CppPrinter : public ExpressionPrinter {
   std::string output(int index, int entry) const override {
     return entry >= 0 ? fmt::format("out[row.index[{}]]", entry) : fmt::format("out[{}]", index);
   }
-  std::string declaration(const std::string& name) const override { return "const V " + name; }
+  std::string declaration(const std::string& name, bool uniform) const override {
+    return fmt::format("const {} {}", uniform ? 'S' : 'V', name);
+  }
+  std::string spread(const std::string& value) const override {
+    return fmt::format("(V{{}} + {})", value);
+  }
   std::string function_call(Function function, const std::string& argument) const override {
     return fmt::format("kernel::{}({})", name_of(function), argument);
   }
@@ -148,7 +153,9 @@ void print_operation(const OperationKernels& operation, const Dag& dag, SourceWr
     out.line(fmt::format("inline void {}{}) {{", operation.name, kernel_parameters));
     open_body(out);
     std::vector<bool> written(static_cast<std::size_t>(operation.num_outputs), false);
-    for (const Output& each : fragment.outputs) written[each.index] = true;
+    for (const Output& each : fragment.outputs) {
+      if (each.index != Output::margin) written[each.index] = true;
+    }
     for (std::size_t k = 0; k < written.size(); ++k) {
       if (!written[k]) out.line(fmt::format("out[{}] = V{{}};", k));
     }
@@ -159,7 +166,9 @@ void print_operation(const OperationKernels& operation, const Dag& dag, SourceWr
   std::vector<std::string> calls;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     const std::string name = fmt::format("{}_{}", operation.name, i);
-    const bool has_rows = groups[i].num_members() > 1;
+    const std::size_t count = groups[i].num_members();
+    const bool has_rows = !groups[i].numbers[0].empty() || !groups[i].indices[0].empty();
+    if (groups[i].shape.outputs.empty()) continue;
     if (has_rows) print_rows(groups[i], name, dag.numbers(), out);
     out.line("template <class V>");
     out.line(fmt::format("[[gnu::noinline]] void {}{}{}) {{", name, kernel_parameters,
@@ -167,16 +176,20 @@ void print_operation(const OperationKernels& operation, const Dag& dag, SourceWr
     open_body(out);
     printer.print(groups[i].shape, true, out);
     close_body(out);
-    calls.push_back(has_rows ? fmt::format("for (const auto& row : {0}_rows) {0}<V>(in, out, "
-                                           "margin, row);",
-                                           name)
-                             : fmt::format("{}<V>(in, out, margin);", name));
+    calls.push_back(
+        has_rows
+            ? fmt::format("for (const auto& row : {0}_rows) {0}<V>(in, out, margin, row);", name)
+        : count > 1
+            ? fmt::format("for (int k = 0; k < {}; ++k) {}<V>(in, out, margin);", count, name)
+            : fmt::format("{}<V>(in, out, margin);", name));
   }
   out.line(summary);
   out.line("template <class V>");
   out.line(fmt::format("inline void {}{}) {{", operation.name, kernel_parameters));
   out.indent();
-  out.line(fmt::format("for (int k = 0; k < {}; ++k) out[k] = V{{}};", operation.num_outputs));
+  if (operation.num_outputs > 0) {
+    out.line(fmt::format("for (int k = 0; k < {}; ++k) out[k] = V{{}};", operation.num_outputs));
+  }
   for (const std::string& call : calls) out.line(call);
   close_body(out);
 }
@@ -299,12 +312,12 @@ std::string print_cpp_registration(const AssociationId& id,
     bool always;
   };
   static const std::vector<Entry> entries = {
-      {"constants", "num_constants", "overwrite", true},
-      {"geometry", "num_nodes + kernels::num_points", "overwrite", true},
+      {"constants", "kernels::{}::num_constants", "overwrite", true},
+      {"geometry", "kernels::num_nodes + kernels::num_points", "overwrite", true},
       {"energy", "1", "accumulate", false},
       {"forces", "num_dofs", "accumulate", false},
       {"product", "num_dofs", "accumulate_scaled", false},
-      {"linearize", "num_state", "overwrite", false},
+      {"linearize", "kernels::{}::num_state", "overwrite", false},
       {"apply", "num_dofs", "accumulate_scaled", false},
       {"stiffness", "num_dofs * num_dofs", "overwrite", false},
   };
@@ -346,11 +359,7 @@ std::string print_cpp_registration(const AssociationId& id,
         continue;
       }
       variants += fmt::format(", {}_{}", geometry, entry.name);
-      std::string num_outputs = entry.num_outputs;
-      if (num_outputs.starts_with("num_nodes")) num_outputs = "kernels::" + num_outputs;
-      if (num_outputs == "num_constants" || num_outputs == "num_state") {
-        num_outputs = fmt::format("kernels::{}::{}", geometry, num_outputs);
-      }
+      const std::string num_outputs = fmt::format(fmt::runtime(entry.num_outputs), geometry);
       out.line(fmt::format("void {}_{}(const Arguments& arguments) {{", geometry, entry.name));
       out.indent();
       out.line(fmt::format("elastogen::kernel::run<V, {}, Write::{}>(", num_outputs, entry.write));

@@ -10,6 +10,7 @@
 
 #include "runtime/error.h"
 #include "symgen/law/expression.h"
+#include "symgen/law/generable.h"
 #include "symgen/law/names.h"
 #include "symgen/law/rest_state.h"
 #include "symgen/law/toml_fields.h"
@@ -168,6 +169,7 @@ LawTerm read_term(const std::string& file, const toml::table& table, std::size_t
   term.name = read_identifier(fields, names_of(before));
   term.text = fields.required_text("energy");
   term.expression = at_key(fields, "energy", [&] { return parse_expression(term.text, symbols); });
+  at_key(fields, "energy", [&] { check_generable(term.expression); });
   if (term.expression.normal().is_zero()) {
     fields.fail("energy", "the energy is zero for every deformation; remove the term");
   }

@@ -1,5 +1,6 @@
 #include "symgen/mechanics/element_graph.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -90,7 +91,8 @@ class Builder {
     const auto add = [&](std::vector<NodeId>& nodes, const std::string& letter, Stage stage) {
       for (int a = 0; a < element_.num_nodes(); ++a) {
         for (int i = 0; i < element_.dim; ++i) {
-          nodes.push_back(graph_.dag.symbol(letter + std::to_string(a) + component[i], stage));
+          nodes.push_back(
+              graph_.dag.symbol(letter + std::to_string(a) + "." + component[i], stage));
         }
       }
     };
@@ -312,6 +314,29 @@ ElementGraph build_element_graph(const Law& law, const EnergyDensity& energy,
   builder.add_energies(law, energy);
   builder.add_nodal_volumes();
   return builder.take();
+}
+
+std::vector<NodeId> domain_of(Dag& dag, NodeId energy) {
+  const std::vector<bool> needed = dag.reachable(std::vector<NodeId>{energy});
+  std::vector<NodeId> margins;
+  const auto add = [&](NodeId margin) {
+    const bool is_new = std::find(margins.begin(), margins.end(), margin) == margins.end();
+    if (is_new && dag[margin].stage >= Stage::state) margins.push_back(margin);
+  };
+  for (std::size_t i = 0; i < needed.size(); ++i) {
+    if (!needed[i]) continue;
+    const Node node = dag[static_cast<NodeId>(i)];  // a copy: the graph grows below
+    if (node.kind == Kind::function && node.function == Function::log) {
+      add(node.operands[0].node);
+    } else if (node.kind == Kind::function && node.function != Function::exp) {  // log(1 + x)
+      add(dag.sum({node.operands[0]}, NumberPool::one));
+    } else if (node.kind == Kind::product) {
+      for (const Operand& operand : node.operands) {
+        if (exponent_of(dag.numbers(), operand.factor).denominator != 1) add(operand.node);
+      }
+    }
+  }
+  return margins;
 }
 
 std::vector<NodeId> forces_of(ElementGraph& graph, NodeId energy) {

@@ -37,6 +37,11 @@ struct ElementGraph {
                                                const Element& element, const Quadrature& quadrature,
                                                Geometry geometry);
 
+/// Where an energy is defined: values that must be positive, one for each logarithm and each root
+/// of something that depends on the displacement. Derivatives inherit the condition, not the
+/// function (d log x = 1/x is finite at x < 0), so every operation has to check it.
+[[nodiscard]] std::vector<NodeId> domain_of(Dag& dag, NodeId energy);
+
 /// Nodal forces f = -dW/dU of a sum of energies, [a*d+i].
 [[nodiscard]] std::vector<NodeId> forces_of(ElementGraph& graph, NodeId energy);
 

@@ -97,10 +97,15 @@ ex with_log1p(const ex& expression, const SmallMeasures& measures) {
   return expression.subs(measures.logarithm == log1p(measures.volume_change));
 }
 
+/// A polynomial of low enough degree to be expanded: (1 + j)^n loses digits under compression,
+/// where its terms alternate (four of them at n = 20 and J = 0.3).
 bool is_polynomial_in_deviations(const ex& expression, const SmallMeasures& measures) {
-  return std::all_of(
-      measures.deviations.begin(), measures.deviations.end(),
-      [&](const Deviation& entry) { return expression.is_polynomial(entry.deviation); });
+  constexpr int highest_degree = 8;
+  return std::all_of(measures.deviations.begin(), measures.deviations.end(),
+                     [&](const Deviation& entry) {
+                       return expression.is_polynomial(entry.deviation) &&
+                              expression.degree(entry.deviation) <= highest_degree;
+                     });
 }
 
 /// Takes out the powers of parameters that all summands share. (GiNaC's own gcd leaves a numeric

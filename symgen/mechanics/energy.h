@@ -25,9 +25,10 @@ struct EnergyDensity {
 struct EnergyOptions {
   /// Write the energy in variables of known order (t = tr H, q = |H|^2, k = det(I + H) - 1 - t)
   /// with remainder functions, first-order parts cancelled symbolically: exact to rounding at any
-  /// strain. Done for terms that are polynomials in the invariants and log(J); in others log(J)
-  /// becomes log1p(J - 1) with J - 1 formed from H, and nothing else is rewritten.
-  /// Off: the textbook form, for comparison.
+  /// strain without finite rotation (with one, the energy's parts have the rotation's size). Done
+  /// for terms that are polynomials in the invariants and log(J); in others log(J) becomes log1p(J
+  /// - 1) with J - 1 formed from H, and nothing else is rewritten. Off: the textbook form, for
+  /// comparison.
   bool stabilise = true;
 };
 

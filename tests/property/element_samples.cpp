@@ -54,14 +54,15 @@ void make_rigid_motion(ElementCase& sample, double angle) {
   }
 }
 
-Law shipped_law(const std::string& name) {
-  return symgen::read_law(std::string(ELASTOGEN_SOURCE_DIR) + "/laws/" + name + ".toml");
+Law law_named(const std::string& name) {
+  return symgen::read_law(symgen::find_law_file(
+      name, {std::string(ELASTOGEN_SOURCE_DIR) + "/laws", ELASTOGEN_TEST_DATA "/laws"}));
 }
 
 std::vector<std::string> unsplit_associations() {
   std::vector<std::string> ids;
   for (const char* name : {"hooke", "neo_hookean", "stvk"}) {
-    const bool polynomial = shipped_law(name).polynomial;
+    const bool polynomial = law_named(name).polynomial;
     for (const std::string& element : symgen::element_names()) {
       for (const std::string& quadrature : symgen::quadrature_names(element)) {
         const bool analytic = symgen::find_quadrature(element, quadrature).polynomial_laws_only;

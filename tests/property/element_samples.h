@@ -25,7 +25,8 @@ struct SampleOptions {
 /// displacement.
 void make_rigid_motion(symgen::ElementCase& sample, double angle);
 
-[[nodiscard]] symgen::Law shipped_law(const std::string& name);
+/// A shipped law, or one of the tests' own.
+[[nodiscard]] symgen::Law law_named(const std::string& name);
 
 /// Every law x element x quadrature, unsplit.
 [[nodiscard]] std::vector<std::string> unsplit_associations();

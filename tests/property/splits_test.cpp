@@ -28,7 +28,7 @@ void expect_near(const std::vector<std::string>& found, const std::vector<std::s
 
 TEST_P(Splits, AllAgreeWithTheUnsplitExactGraph) {
   AssociationId id = AssociationId::parse(GetParam());
-  const symgen::Law law = shipped_law(id.law);
+  const symgen::Law law = law_named(id.law);
   const symgen::ElementCase input = sample_case(id, law, {});
   const symgen::Evaluation exact = symgen::evaluate_graph(id, law, input, symgen::GraphScalar::cln);
   const double rounding = 1e-13;

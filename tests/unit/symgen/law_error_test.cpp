@@ -47,6 +47,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "own.toml:5: parameter 'mu': unknown key 'units'; did you mean 'unit'?"},
         Mistake{"UnknownTermKey", "energy", "energie",
                 "own.toml:11: term 'shear': unknown key 'energie'; did you mean 'energy'?"},
+        Mistake{"SymbolicExponent", "mu*trE2", "mu*(J^mu - 1)^2",
+                "own.toml:11: term 'shear': energy: '(J)^(mu)': an exponent must be a rational "
+                "number"},
+        Mistake{"HugeExponent", "mu*trE2", "mu*trE2^5000",
+                "own.toml:11: term 'shear': energy: '(trE2)^(5000)': an exponent p/q must have "
+                "|p| <= 1000"},
+        Mistake{"HugeNumber", "mu*trE2", "mu*trE2*1e200",
+                "own.toml:11: term 'shear': energy: number 1000"},
+        Mistake{"RootOfNegative", "mu*trE2", "mu*(-8)^(1/3)*trE2",
+                "own.toml:11: term 'shear': energy: '(-8)^(1/3)': a root must be of a positive"},
         Mistake{"NameMissing", "name = \"own\"\n", "", "own.toml:1: law: key 'name' is missing"},
         Mistake{"UnitMissing", "unit = \"Pa\"\n", "",
                 "own.toml:3: parameter 'mu': key 'unit' is missing; add unit = "},
