@@ -35,8 +35,9 @@ inline constexpr int batch_lanes = static_cast<int>(64 / sizeof(Scalar));
 /// Bits of the per-element status; 0 is a good result.
 enum KernelStatus : std::uint32_t {
   status_ok = 0,
-  status_not_finite = 1,      ///< an output is NaN or infinite
-  status_outside_domain = 2,  ///< the law's domain was left (the argument of a logarithm or root <= 0)
+  status_not_finite = 1,  ///< an output is NaN or infinite
+  status_outside_domain =
+      2,  ///< the law's domain was left (the argument of a logarithm or root <= 0)
 };
 
 /// What a kernel reads and writes. A pointer that the operation does not use may be null:

@@ -27,12 +27,11 @@ bool same(const Node& a, const Node& b) {
          a.symbol == b.symbol && a.operands == b.operands;
 }
 
-/// A scaled node: a sum of one operand without constant term.
+}  // namespace
+
 bool is_scaled(const Node& node) {
   return node.kind == Kind::sum && node.operands.size() == 1 && node.value == NumberPool::zero;
 }
-
-}  // namespace
 
 NodeId Dag::intern(Node node) {
   std::sort(node.operands.begin(), node.operands.end());

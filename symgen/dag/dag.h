@@ -49,6 +49,9 @@ struct Node {
   std::vector<Operand> operands;      ///< ascending by node; one with factor 1 for functions
 };
 
+/// A multiple of another node: a sum of one operand without constant term.
+[[nodiscard]] bool is_scaled(const Node& node);
+
 /// A growing graph. Operands always precede the nodes that use them, so ascending ids are a
 /// topological order. Ids depend only on the order of construction: the same calls give the same
 /// graph.

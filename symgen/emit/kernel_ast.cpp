@@ -32,8 +32,7 @@ class Scheduler {
     output.index = index;
     const Node& node = dag_[root];
     NodeId value = root;
-    if (!inputs_.contains(root) && node.kind == Kind::sum && node.operands.size() == 1 &&
-        node.value == NumberPool::zero) {
+    if (!inputs_.contains(root) && is_scaled(node)) {
       output.size.value = node.operands[0].factor;
       if (style_ == SumStyle::grouped) {
         output.negative = is_negative(output.size.value);

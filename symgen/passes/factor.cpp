@@ -41,7 +41,7 @@ class Factoring {
   std::vector<Operand> merged(std::vector<Operand> terms) {
     for (Operand& term : terms) {
       const Node& node = dag_[term.node];
-      if (node.kind == Kind::sum && node.operands.size() == 1 && node.value == NumberPool::zero) {
+      if (is_scaled(node)) {
         term = {node.operands[0].node, numbers_.multiply(term.factor, node.operands[0].factor)};
       }
     }
