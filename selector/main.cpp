@@ -51,19 +51,30 @@ void declare(CLI::App& app, Context& context) {
                  "Folder of law files, searched first; repeatable")
       ->type_name("DIR")
       ->allow_extra_args(false);
-  app.add_option("--profile", context.profile, "Target profile that costs are weighed for")
+  app.add_option("--profile", context.generate.profile, "Target profile that costs are weighed for")
       ->check(CLI::IsMember(elastogen::symgen::profile_names()))
       ->capture_default_str();
   app.add_option_function<std::string>(
          "--grouping",
          [&context](const std::string& name) {
-           context.grouping = name == "algorithm6" ? elastogen::symgen::Grouping::algorithm6
-                                                   : elastogen::symgen::Grouping::minimum_cut;
+           context.generate.grouping = name == "algorithm6"
+                                           ? elastogen::symgen::Grouping::algorithm6
+                                           : elastogen::symgen::Grouping::minimum_cut;
          },
          "How grouped constants are chosen: by the cheapest cut, or all of them as in the "
          "thesis's algorithm 6")
       ->check(CLI::IsMember({"minimum-cut", "algorithm6"}))
       ->default_str("minimum-cut");
+  app.add_option_function<std::string>(
+         "--derive",
+         [&context](const std::string& name) {
+           context.generate.derivation = name == "ginac" ? elastogen::symgen::Derivation::ginac
+                                                         : elastogen::symgen::Derivation::dag;
+         },
+         "Who takes the derivatives: the expression graph (forces by reverse mode, product by "
+         "forward mode), or GiNaC, from the energy in nodal displacements")
+      ->check(CLI::IsMember({"dag", "ginac"}))
+      ->default_str("dag");
   app.add_option("--threads", context.threads, "Threads; 0: all of the machine")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 #include <utility>
 
 #include "runtime/error.h"
+#include "symgen/mechanics/expanded_formulation.h"
 #include "symgen/passes/cost.h"
 #include "symgen/passes/extract_grouped_constants.h"
 #include "symgen/passes/factor.h"
@@ -50,14 +52,37 @@ NodeId sum_of(ElementGraph& element, const EnergyPart& part) {
 
 /// The product is the derivative of the factored forces: it inherits their factors, which is
 /// cheaper than factoring the derivative of flat ones (5 % fewer operations on hexahedra).
+NodalDerivatives derived_on_graph(ElementGraph& element, NodeId energy) {
+  NodalDerivatives derivatives;
+  derivatives.forces = forces_of(element, energy);
+  Graph factored{Dag(element.dag.number_pool()), {}};
+  factored.roots = copy_into(factored.dag, element.dag, derivatives.forces);
+  factored = factor(factored);
+  derivatives.product = product_of(element, copy_into(element.dag, factored.dag, factored.roots));
+  return derivatives;
+}
+
+/// The derivatives that GiNaC took of each energy, added up.
+NodalDerivatives derived_by_ginac(ElementGraph& element, const EnergyPart& part) {
+  const auto total = [&](std::vector<NodeId> NodalDerivatives::*operation) {
+    std::vector<NodeId> sums;
+    for (std::size_t row = 0; row < element.displacement.size(); ++row) {
+      std::vector<Operand> summands;
+      for (const auto& [term, point] : part.summands) {
+        const NodeId value = (element.derivatives[term][point].*operation)[row];
+        summands.push_back({value, NumberPool::one});
+      }
+      sums.push_back(element.dag.sum(std::move(summands)));
+    }
+    return sums;
+  };
+  return {total(&NodalDerivatives::forces), total(&NodalDerivatives::product)};
+}
+
 PartGraph differentiated(ElementGraph& element, const EnergyPart& part) {
   const NodeId energy = sum_of(element, part);
-  const std::vector<NodeId> forces = forces_of(element, energy);
-  Graph factored{Dag(element.dag.number_pool()), {}};
-  factored.roots = copy_into(factored.dag, element.dag, forces);
-  factored = factor(factored);
-  const std::vector<NodeId> product =
-      product_of(element, copy_into(element.dag, factored.dag, factored.roots));
+  const auto [forces, product] = element.derivatives.empty() ? derived_on_graph(element, energy)
+                                                             : derived_by_ginac(element, part);
   PartGraph result{Dag(element.dag.number_pool()), 0, {}, {}, {}};
   const auto copied = [&](const std::vector<NodeId>& roots) {
     return copy_into(result.dag, element.dag, roots);
@@ -316,20 +341,50 @@ VariantKernels build_kernels(ElementGraph graph, Geometry geometry, const Split&
   return builder.take();
 }
 
-VariantKernels unoptimised_kernels(ElementGraph graph) {
-  const auto parts = energy_parts(Split{}, static_cast<int>(graph.energies.size()),
-                                  static_cast<int>(graph.determinants.size()));
-  const NodeId energy = sum_of(graph, parts[0]);
-  const std::vector<NodeId> forces = forces_of(graph, energy);
-  const std::vector<NodeId> product = product_of(graph, forces);
+namespace {
+
+/// Kernels of one piece per operation, for evaluation only.
+VariantKernels whole_kernels(Dag dag, NodeId energy, const std::vector<NodeId>& forces,
+                             const std::vector<NodeId>& product) {
   const std::vector<int> rows = counting(forces.size());
   const int num_dofs = static_cast<int>(forces.size());
   VariantKernels kernels;
   kernels.operations = {{"energy", 1, {{{energy}, {0}, {}}}, {}},
                         {"forces", num_dofs, {{forces, rows, {}}}, {}},
                         {"product", num_dofs, {{product, rows, {}}}, {}}};
-  kernels.dag = std::move(graph.dag);
+  kernels.dag = std::move(dag);
   return kernels;
+}
+
+}  // namespace
+
+VariantKernels unoptimised_kernels(ElementGraph graph) {
+  const auto parts = energy_parts(Split{}, static_cast<int>(graph.energies.size()),
+                                  static_cast<int>(graph.determinants.size()));
+  const NodeId energy = sum_of(graph, parts[0]);
+  const std::vector<NodeId> forces = forces_of(graph, energy);
+  const std::vector<NodeId> product = product_of(graph, forces);
+  return whole_kernels(std::move(graph.dag), energy, forces, product);
+}
+
+VariantKernels expanded_kernels(ElementGraph graph) {
+  const ExpandedFormulation expanded = expand_formulation(graph);
+  const EnergyConstants& definition = expanded.definition;
+  std::unordered_map<NodeId, NodeId> images;
+  const auto put = [&](const std::vector<NodeId>& inputs, const std::vector<NodeId>& values) {
+    for (std::size_t k = 0; k < inputs.size(); ++k) images[inputs[k]] = values[k];
+  };
+  put(expanded.parameters, graph.parameters);
+  put(expanded.constants, copy_into(graph.dag, definition.graph.dag, definition.constants));
+  put(expanded.displacement, graph.displacement);
+  put(expanded.direction, graph.direction);
+  const auto substituted = [&](const std::vector<NodeId>& values) {
+    return substitute_into(graph.dag, expanded.dag, values, images);
+  };
+  const NodeId energy = substituted({expanded.energy})[0];
+  const std::vector<NodeId> forces = substituted(expanded.forces);
+  const std::vector<NodeId> product = substituted(expanded.product);
+  return whole_kernels(std::move(graph.dag), energy, forces, product);
 }
 
 long typical_fragment_flops(ElementGraph graph, const Split& split) {

@@ -51,6 +51,9 @@ struct VariantKernels {
 /// Energy, forces and product as they come from mechanics, without any pass: the reference.
 [[nodiscard]] VariantKernels unoptimised_kernels(ElementGraph graph);
 
+/// The same from the thesis's polynomials, every monomial written out.
+[[nodiscard]] VariantKernels expanded_kernels(ElementGraph graph);
+
 /// Flops of the largest kind of fragment that a split makes, by the product, the dearest operation
 /// (what is known at rest not counted). Made from one Gauss point and one row part, since the
 /// others are alike; `auto` compares it with the profile's limit.

@@ -21,12 +21,6 @@
 namespace elastogen::symgen {
 namespace {
 
-std::vector<Geometry> geometries_of(const Element& element) {
-  std::vector<Geometry> geometries{Geometry::general};
-  if (element.has_box) geometries.push_back(Geometry::box);
-  return geometries;
-}
-
 /// The split of an association; for `auto`, the coarsest whose fragments stay below the profile's
 /// limit (fewest fragments first).
 struct ChosenSplit {
@@ -122,18 +116,20 @@ VariantReport report_of(const VariantKernels& kernels) {
 
 /// Law, element and quadrature of an association, as one graph per geometry variant.
 struct Formulation {
-  Formulation(const AssociationId& id, const Law& law, bool stabilise)
+  Formulation(const AssociationId& id, const Law& law, bool stabilise, Derivation derivation)
       : element(find_element(id.element)),
         quadrature(find_quadrature(id.element, id.quadrature)),
-        energy(energy_density(law, element.dim, {stabilise})) {
+        energy(energy_density(law, element.dim, {stabilise})),
+        derivation(derivation) {
     check_association(id, law);
   }
   [[nodiscard]] ElementGraph graph(const Law& law, Geometry geometry) const {
-    return build_element_graph(law, energy, element, quadrature, geometry);
+    return build_element_graph(law, energy, element, quadrature, geometry, derivation);
   }
   const Element& element;
   const Quadrature& quadrature;
   EnergyDensity energy;
+  Derivation derivation;
 };
 
 /// Values of one element's operations on any arithmetic.
@@ -222,8 +218,9 @@ void check_association(const AssociationId& id, const Law& law) {
 std::string association_hash(const AssociationId& id, const Law& law,
                              const GenerateOptions& options) {
   const std::string chosen =
-      fmt::format("{} {} {} {} {}", id.text(), options.profile,
+      fmt::format("{} {} {} {} {} {}", id.text(), options.profile,
                   options.grouping == Grouping::algorithm6 ? "algorithm6" : "minimum-cut",
+                  options.derivation == Derivation::ginac ? "ginac" : "dag",
                   options.stabilise ? "stabilised" : "textbook", kernel_abi_version);
   return content_hash({generator_version, ELASTOGEN_GENERATOR_FINGERPRINT, chosen, law.text});
 }
@@ -232,7 +229,7 @@ GeneratedAssociation generate_association(const AssociationId& id, const Law& la
                                           const GenerateOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const Profile& profile = find_profile(options.profile);
-  const Formulation formulation(id, law, options.stabilise);
+  const Formulation formulation(id, law, options.stabilise, options.derivation);
 
   GeneratedAssociation result;
   result.id = id;
@@ -260,7 +257,9 @@ GeneratedAssociation generate_association(const AssociationId& id, const Law& la
                         id.split == "auto"
                             ? fmt::format("auto: {} ({})", result.chosen_split, result.split_reason)
                             : id.split,
-                        profile.name,
+                        options.derivation == Derivation::ginac
+                            ? profile.name + ", derivatives by GiNaC"
+                            : profile.name,
                         result.hash};
   for (const LawTerm& term : law.terms) {
     provenance.law_terms.push_back(fmt::format("{}: {}", term.name, term.text));
@@ -288,7 +287,7 @@ std::string registration_source(const AssociationId& id, const Law& law,
 std::string dot_graph(const AssociationId& id, const Law& law, const GenerateOptions& options,
                       const std::string& operation) {
   const Profile& profile = find_profile(options.profile);
-  const Formulation formulation(id, law, options.stabilise);
+  const Formulation formulation(id, law, options.stabilise, options.derivation);
   ElementGraph graph = formulation.graph(law, Geometry::general);
   const Split split = choose_split(id, graph, formulation.element, profile).split;
   const VariantKernels kernels =
@@ -304,8 +303,9 @@ std::string dot_graph(const AssociationId& id, const Law& law, const GenerateOpt
 
 Evaluation evaluate_graph(const AssociationId& id, const Law& law, const ElementCase& input,
                           GraphScalar scalar, const GenerateOptions& options) {
-  const bool stabilise = scalar == GraphScalar::dag_double && options.stabilise;
-  const Formulation formulation(id, law, stabilise);
+  const bool is_reference = scalar != GraphScalar::dag_double;
+  const Formulation formulation(id, law, !is_reference && options.stabilise,
+                                is_reference ? Derivation::dag : options.derivation);
   ElementGraph graph = formulation.graph(law, Geometry::general);
   std::vector<std::vector<std::string>> names;
   for (const auto* nodes :
@@ -321,7 +321,8 @@ Evaluation evaluate_graph(const AssociationId& id, const Law& law, const Element
     kernels =
         build_kernels(std::move(graph), Geometry::general, split, profile, Grouping::minimum_cut);
   } else {
-    kernels = unoptimised_kernels(std::move(graph));
+    kernels = scalar == GraphScalar::cln ? unoptimised_kernels(std::move(graph))
+                                         : expanded_kernels(std::move(graph));
   }
   std::vector<std::vector<NodeId>> inputs;
   for (std::size_t k = 0; k < names.size(); ++k) {

@@ -6,6 +6,7 @@
 //     -> lowered expression DAG       symgen/dag/lower               (exact numbers, hash-consed)
 //     -> energies of the element      symgen/mechanics/element_graph (per law term and Gauss point)
 //     -> forces, product              symgen/dag/differentiate       (reverse, then forward mode)
+//                                     or symgen/mechanics/ginac_derivatives (--derive ginac)
 //     -> fragments                    symgen/passes/split
 //     -> factored, common pairs out   symgen/passes/factor, group_stages, share_pairs
 //     -> grouped constants, state     symgen/passes/extract_grouped_constants
@@ -21,6 +22,7 @@
 
 #include "symgen/element/element.h"
 #include "symgen/law/law.h"
+#include "symgen/mechanics/derivation.h"
 #include "symgen/quadrature/quadrature.h"
 
 namespace elastogen::symgen {
@@ -46,6 +48,7 @@ enum class Grouping { minimum_cut, algorithm6 };
 struct GenerateOptions {
   std::string profile = "x86-cache";  ///< target profile: fixes beta and the limits of `auto`
   Grouping grouping = Grouping::minimum_cut;
+  Derivation derivation = Derivation::dag;
   bool stabilise = true;
 };
 
@@ -131,11 +134,12 @@ struct ElementCase {
   std::vector<double> rest_positions, parameters, displacement, direction;
 };
 
-enum class GraphScalar { dag_double, cln };
+/// What walks which graph: double the one that `options` choose, after all passes; CLN, with 100
+/// digits and 40 shown, the textbook form before all passes, or the thesis's polynomials with every
+/// monomial written out (affine elements with laws polynomial in H).
+enum class GraphScalar { dag_double, cln, cln_expanded };
 
-/// Walks the expression graph without compiling anything. CLN: 100 digits working precision, 40
-/// shown. `options` choose the graph that double walks; CLN walks the textbook form before all
-/// passes.
+/// Walks the expression graph without compiling anything.
 [[nodiscard]] Evaluation evaluate_graph(const AssociationId& id, const Law& law,
                                         const ElementCase& input, GraphScalar scalar,
                                         const GenerateOptions& options = {});

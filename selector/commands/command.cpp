@@ -43,16 +43,9 @@ std::vector<fs::path> Context::law_folders() const {
   return folders;
 }
 
-symgen::GenerateOptions Context::generate_options() const {
-  symgen::GenerateOptions options;
-  options.profile = profile;
-  options.grouping = grouping;
-  return options;
-}
-
 LoaderOptions Context::loader_options() const {
   LoaderOptions options;
-  options.generate = generate_options();
+  options.generate = generate;
   options.use_cache = !no_cache;
   options.threads = threads;
   options.progress = [this](const std::string& line) { tell(line); };

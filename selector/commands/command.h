@@ -21,19 +21,16 @@ namespace elastogen::selector {
 /// Options before the command, and what the command line chose.
 struct Context {
   std::vector<std::filesystem::path> user_law_folders;  ///< --laws, searched first
-  std::string profile = symgen::GenerateOptions{}.profile;
-  symgen::Grouping grouping = symgen::GenerateOptions{}.grouping;
-  int threads = 0;              ///< 0: as many as the machine has
-  bool quiet = false;           ///< no progress on standard error
-  bool no_cache = false;        ///< compile kernels anew, keep nothing
-  std::function<int()> action;  ///< returns the exit status
+  symgen::GenerateOptions generate;                     ///< --profile, --grouping, --derive
+  int threads = 0;                                      ///< 0: as many as the machine has
+  bool quiet = false;                                   ///< no progress on standard error
+  bool no_cache = false;                                ///< compile kernels anew, keep nothing
+  std::function<int()> action;                          ///< returns the exit status
 
   /// Folders of law files in the order of search: --laws, ELASTOGEN_LAWS (separated by ':'),
   /// share/elastogen/laws beside the program's folder.
   /// @throws InputError  when a folder that the user named does not exist
   [[nodiscard]] std::vector<std::filesystem::path> law_folders() const;
-
-  [[nodiscard]] symgen::GenerateOptions generate_options() const;
 
   /// Cache, threads, profile and progress for kernels made on the fly.
   [[nodiscard]] LoaderOptions loader_options() const;

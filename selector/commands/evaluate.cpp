@@ -125,8 +125,7 @@ Results compute(const EvaluateOptions& options, const symgen::AssociationId& id,
   if (scalar == "dag" || scalar == "cln") {
     const bool cln = scalar == "cln";
     const auto kind = cln ? symgen::GraphScalar::cln : symgen::GraphScalar::dag_double;
-    return from_graph(symgen::evaluate_graph(id, law, input, kind, context.generate_options()),
-                      input, cln);
+    return from_graph(symgen::evaluate_graph(id, law, input, kind, context.generate), input, cln);
   }
   if (scalar == "float") {
     return compile_and_evaluate<float>(id, law, false, options.geometry, input, context);

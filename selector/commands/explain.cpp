@@ -7,6 +7,7 @@
 
 #include "runtime/error.h"
 #include "selector/commands/exact_text.h"
+#include "selector/commands/explain_thesis.h"
 #include "selector/support/files.h"
 #include "symgen/element/element.h"
 #include "symgen/quadrature/quadrature.h"
@@ -22,6 +23,7 @@ struct ExplainOptions {
   std::string association;
   std::string dot_file;
   std::string operation = "forces";
+  std::string formulation = "gradient";
   bool json = false;
 };
 
@@ -31,8 +33,18 @@ struct Explanation {
   const symgen::Element& element;
   const symgen::Quadrature& quadrature;
   symgen::GeneratedAssociation generated;
-  std::string profile;
+  symgen::GeneratedAssociation other;  ///< derived the other way, for comparison
+  symgen::GenerateOptions options;
 };
+
+std::string derivation_name(symgen::Derivation derivation) {
+  return derivation == symgen::Derivation::ginac ? "ginac" : "dag";
+}
+
+symgen::Derivation other_derivation(symgen::Derivation derivation) {
+  return derivation == symgen::Derivation::ginac ? symgen::Derivation::dag
+                                                 : symgen::Derivation::ginac;
+}
 
 Json decimals(const std::vector<GiNaC::ex>& numbers) {
   Json array = Json::array();
@@ -72,27 +84,27 @@ Json law_json(const symgen::Law& law) {
           {"parameters", parameters}};
 }
 
-Json operations_json(const symgen::VariantReport& variant) {
+/// @param other  the same variant, derived the other way
+Json operations_json(const symgen::VariantReport& variant, const symgen::VariantReport& other) {
   Json operations = Json::object();
-  for (const symgen::OperationReport& operation : variant.operations) {
-    operations[operation.name] = {{"flops", operation.flops},
-                                  {"constants", operation.constants},
-                                  {"state", operation.state},
-                                  {"bytes_read", operation.bytes_read},
-                                  {"bytes_written", operation.bytes_written},
-                                  {"fragments", operation.fragments},
-                                  {"code_bytes", operation.code_bytes}};
+  for (std::size_t k = 0; k < variant.operations.size(); ++k) {
+    const symgen::OperationReport& operation = variant.operations[k];
+    operations[operation.name] = {
+        {"flops", operation.flops},           {"flops_other_derivation", other.operations[k].flops},
+        {"constants", operation.constants},   {"state", operation.state},
+        {"bytes_read", operation.bytes_read}, {"bytes_written", operation.bytes_written},
+        {"fragments", operation.fragments},   {"code_bytes", operation.code_bytes}};
   }
   return operations;
 }
 
-Json variant_json(const symgen::VariantReport& variant) {
+Json variant_json(const symgen::VariantReport& variant, const symgen::VariantReport& other) {
   return {{"geometry", variant.geometry},
           {"constants", variant.num_constants},
           {"constants_algorithm6", variant.constants_algorithm6},
           {"state", variant.num_state},
           {"reads_positions", variant.reads_positions},
-          {"operations", operations_json(variant)}};
+          {"operations", operations_json(variant, other)}};
 }
 
 /// The keys of the first five lines are a contract with other programs; `operations` are those
@@ -112,8 +124,9 @@ Json explanation_json(const Explanation& explanation) {
     shape_functions.push_back(expression_text(function));
   }
   Json variants = Json::array();
-  for (const symgen::VariantReport& variant : generated.variants) {
-    variants.push_back(variant_json(variant));
+  const std::vector<symgen::VariantReport>& others = explanation.other.variants;
+  for (std::size_t k = 0; k < generated.variants.size(); ++k) {
+    variants.push_back(variant_json(generated.variants[k], others[k]));
   }
   return {{"association", generated.id.text()},
           {"law", law_json(explanation.law)},
@@ -126,25 +139,30 @@ Json explanation_json(const Explanation& explanation) {
            {{"name", explanation.quadrature.name},
             {"points", decimals(explanation.quadrature.points)},
             {"weights", decimals(explanation.quadrature.weights)}}},
-          {"operations", operations_json(generated.variants.front())},
+          {"operations", operations_json(generated.variants.front(), others.front())},
           {"split", {{"chosen", generated.chosen_split}, {"reason", generated.split_reason}}},
-          {"profile", explanation.profile},
+          {"profile", explanation.options.profile},
+          {"derivation", derivation_name(explanation.options.derivation)},
           {"hash", generated.hash},
           {"variants", variants}};
 }
 
-void print_variant(const symgen::VariantReport& variant) {
+void print_variant(const symgen::VariantReport& variant, const symgen::VariantReport& other,
+                   const std::string& other_name) {
   fmt::print("\ngeometry {}: {} constants ({} bytes) per element; algorithm 6 would store {}\n",
              variant.geometry, variant.num_constants, 8 * variant.num_constants,
              variant.constants_algorithm6);
   fmt::print("  state of the two-stage product: {} numbers; rest positions are {} after setup\n",
              variant.num_state, variant.reads_positions ? "read" : "not read");
-  fmt::print("  {:<12}{:>9}{:>11}{:>7}{:>12}{:>15}{:>11}{:>12}\n", "operation", "flops",
-             "constants", "state", "bytes read", "bytes written", "fragments", "code bytes");
-  for (const symgen::OperationReport& operation : variant.operations) {
-    fmt::print("  {:<12}{:>9}{:>11}{:>7}{:>12}{:>15}{:>11}{:>12}\n", operation.name,
-               operation.flops, operation.constants, operation.state, operation.bytes_read,
-               operation.bytes_written, operation.fragments, operation.code_bytes);
+  fmt::print("  {:<12}{:>9}{:>13}{:>11}{:>7}{:>12}{:>15}{:>11}{:>12}\n", "operation", "flops",
+             "by " + other_name, "constants", "state", "bytes read", "bytes written", "fragments",
+             "code bytes");
+  for (std::size_t k = 0; k < variant.operations.size(); ++k) {
+    const symgen::OperationReport& operation = variant.operations[k];
+    fmt::print("  {:<12}{:>9}{:>13}{:>11}{:>7}{:>12}{:>15}{:>11}{:>12}\n", operation.name,
+               operation.flops, other.operations[k].flops, operation.constants, operation.state,
+               operation.bytes_read, operation.bytes_written, operation.fragments,
+               operation.code_bytes);
   }
 }
 
@@ -172,10 +190,15 @@ void print_explanation(const Explanation& explanation) {
              explanation.quadrature.num_points(),
              explanation.quadrature.num_points() == 1 ? "" : "s");
   fmt::print("  split       {}: {}\n", generated.chosen_split, generated.split_reason);
-  fmt::print("  profile     {}\n", explanation.profile);
+  fmt::print("  profile     {}\n", explanation.options.profile);
+  const std::string other_name = derivation_name(other_derivation(explanation.options.derivation));
+  fmt::print("  derived     by {}; beside it what --derive {} would cost\n",
+             derivation_name(explanation.options.derivation), other_name);
   fmt::print("  generated   in {:.3f} s, {} bytes of source, hash {}\n", generated.seconds,
              generated.header.size(), generated.hash);
-  for (const symgen::VariantReport& variant : generated.variants) print_variant(variant);
+  for (std::size_t k = 0; k < generated.variants.size(); ++k) {
+    print_variant(generated.variants[k], explanation.other.variants[k], other_name);
+  }
   fmt::print(
       "\nper element, double precision; a fused multiply-add counts 2 flops, a division or a "
       "function 1\n");
@@ -183,8 +206,7 @@ void print_explanation(const Explanation& explanation) {
 
 int write_graph(const ExplainOptions& options, const symgen::AssociationId& id,
                 const symgen::Law& law, const Context& context) {
-  const std::string graph =
-      symgen::dot_graph(id, law, context.generate_options(), options.operation);
+  const std::string graph = symgen::dot_graph(id, law, context.generate, options.operation);
   if (options.dot_file == "-") {
     fmt::print("{}", graph);
   } else {
@@ -199,10 +221,16 @@ int run_explain(const ExplainOptions& options, const Context& context) {
   const auto id = symgen::AssociationId::parse(options.association);
   const symgen::Law law = read_law_of(id, context);
   if (!options.dot_file.empty()) return write_graph(options, id, law, context);
+  if (options.formulation == "thesis") return explain_thesis(id, law, options.json, context);
 
-  const Explanation explanation = {
-      law, symgen::find_element(id.element), symgen::find_quadrature(id.element, id.quadrature),
-      symgen::generate_association(id, law, context.generate_options()), context.profile};
+  symgen::GenerateOptions other = context.generate;
+  other.derivation = other_derivation(other.derivation);
+  const Explanation explanation = {law,
+                                   symgen::find_element(id.element),
+                                   symgen::find_quadrature(id.element, id.quadrature),
+                                   symgen::generate_association(id, law, context.generate),
+                                   symgen::generate_association(id, law, other),
+                                   context.generate};
   if (options.json) {
     fmt::print("{}\n", explanation_json(explanation).dump(2));
   } else {
@@ -219,6 +247,7 @@ void add_explain_command(CLI::App& app, Context& context) {
   command->footer(
       "Examples:\n"
       "  elastogen explain stvk-hexa8-q8-auto\n"
+      "  elastogen explain hooke-prism6-q6-none --formulation thesis\n"
       "  elastogen explain hooke-tet4-q1-none --dot - --operation energy | dot -Tsvg -o graph.svg");
   command->add_option("ASSOCIATION", options->association, "law-element-quadrature-split")
       ->required();
@@ -232,6 +261,14 @@ void add_explain_command(CLI::App& app, Context& context) {
   command->add_option("--operation", options->operation, "Operation whose graph is written")
       ->check(CLI::IsMember({"energy", "forces", "product", "linearize", "apply"}))
       ->needs(dot)
+      ->capture_default_str();
+  command
+      ->add_option("--formulation", options->formulation,
+                   "gradient: what is generated. thesis: constants by algorithm 6 from the energy "
+                   "alone, the energy written out in nodal displacements; beside the thesis's "
+                   "tables 3.4 to 3.7")
+      ->check(CLI::IsMember({"gradient", "thesis"}))
+      ->excludes(dot)
       ->capture_default_str();
   command->callback([options, &context] {
     context.action = [options, &context] { return run_explain(*options, context); };

@@ -34,7 +34,7 @@ int run_generate(const GenerateCommandOptions& options, const Context& context) 
   const std::map<std::string, symgen::Law> laws = read_laws(ids, context);
   KernelFolder folder(options.folder);
 
-  const symgen::GenerateOptions generate = context.generate_options();
+  const symgen::GenerateOptions& generate = context.generate;
   std::size_t num_generated = 0;
   for (const symgen::AssociationId& id : ids) {
     const symgen::Law& law = laws.at(id.law);

@@ -247,22 +247,29 @@ std::vector<bool> Dag::reachable(std::span<const NodeId> roots) const {
 }
 
 std::vector<NodeId> copy_into(Dag& target, const Dag& source, std::span<const NodeId> roots) {
-  const std::vector<bool> needed = source.reachable(roots);
-  std::vector<NodeId> image(source.size());
-  for (std::size_t i = 0; i < needed.size(); ++i) {
-    if (!needed[i]) continue;
-    const NodeId id = static_cast<NodeId>(i);
-    if (source[id].kind == Kind::symbol) {
-      image[i] = target.symbol(source.symbol_name(id), source[id].stage);
-      continue;
+  return rebuild(source, roots, [&](NodeId id, Node node) {
+    return node.kind == Kind::symbol ? target.symbol(source.symbol_name(id), node.stage)
+                                     : target.intern(std::move(node));
+  });
+}
+
+std::vector<NodeId> substitute_into(Dag& target, const Dag& source, std::span<const NodeId> roots,
+                                    const std::unordered_map<NodeId, NodeId>& images) {
+  return rebuild(source, roots, [&](NodeId id, Node node) {
+    switch (node.kind) {
+      case Kind::symbol:
+        return images.at(id);
+      case Kind::sum:
+        return target.sum(std::move(node.operands), node.value);
+      case Kind::product:
+        return target.product(std::move(node.operands));
+      case Kind::function:
+        return target.function(node.function, node.operands[0].node);
+      case Kind::number:
+        break;
     }
-    Node node = source[id];
-    for (Operand& operand : node.operands) operand.node = image[operand.node];
-    image[i] = target.intern(std::move(node));
-  }
-  std::vector<NodeId> result;
-  for (const NodeId root : roots) result.push_back(image[root]);
-  return result;
+    return target.number(node.value);
+  });
 }
 
 Exponent exponent_of(const NumberPool& numbers, NumberId factor) {

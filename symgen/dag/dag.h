@@ -116,9 +116,32 @@ struct Graph {
   std::vector<NodeId> roots;
 };
 
+/// Rebuilds what `roots` need, operands first: `make(id, node)` returns the image of source[id],
+/// whose operands `node` refers to by their images. Returns the roots' images.
+template <class Make>
+std::vector<NodeId> rebuild(const Dag& source, std::span<const NodeId> roots, const Make& make) {
+  const std::vector<bool> needed = source.reachable(roots);
+  std::vector<NodeId> image(needed.size());
+  for (std::size_t i = 0; i < needed.size(); ++i) {
+    if (!needed[i]) continue;
+    const NodeId id = static_cast<NodeId>(i);
+    Node node = source[id];
+    for (Operand& operand : node.operands) operand.node = image[operand.node];
+    image[i] = make(id, std::move(node));
+  }
+  std::vector<NodeId> result;
+  for (const NodeId root : roots) result.push_back(image[root]);
+  return result;
+}
+
 /// Copies what `roots` need from `source` into `target`, structure unchanged; returns the roots'
 /// ids there. Both graphs must share one number pool.
 std::vector<NodeId> copy_into(Dag& target, const Dag& source, std::span<const NodeId> roots);
+
+/// As copy_into, but each symbol becomes the node that `images` has for it, and sums and products
+/// are simplified anew: what becomes a number or zero goes.
+std::vector<NodeId> substitute_into(Dag& target, const Dag& source, std::span<const NodeId> roots,
+                                    const std::unordered_map<NodeId, NodeId>& images);
 
 /// An exponent as numerator and denominator.
 /// @throws InternalError  if it is irrational or huge

@@ -28,46 +28,60 @@ bool is_commutative(const GiNaC::ex& expression) {
   return GiNaC::is_a<GiNaC::add>(expression) || GiNaC::is_a<GiNaC::mul>(expression);
 }
 
-/// A text that does not depend on GiNaC's order: operands of sums and products sorted. Numbers in
-/// them are left out, since GiNaC moves signs and contents of inner sums by its own order: -(a - b)
-/// c in one run is (b - a) c in the next. With numbers it tells (1 + x) from (2 + x).
-std::string canonical_text(const GiNaC::ex& expression, bool with_numbers) {
-  if (expression.nops() == 0) return printed(expression);
-  std::vector<std::string> operands;
-  for (std::size_t i = 0; i < expression.nops(); ++i) {
-    const bool is_number =
-        is_commutative(expression) && GiNaC::is_a<GiNaC::numeric>(expression.op(i));
-    if (is_number && !with_numbers) continue;
-    operands.push_back(canonical_text(expression.op(i), with_numbers));
+/// Operands in an order that does not depend on GiNaC's: by a text in which the operands of sums
+/// and products are sorted. Numbers in them are left out at first, since GiNaC moves signs and
+/// contents of inner sums by its own order: -(a - b) c in one run is (b - a) c in the next. With
+/// numbers it tells (1 + x) from (2 + x). Texts are kept: derivatives repeat their subexpressions.
+class CanonicalOrder {
+ public:
+  std::vector<GiNaC::ex> operands(const GiNaC::ex& expression) {
+    std::vector<std::pair<std::string, GiNaC::ex>> keyed;
+    for (std::size_t i = 0; i < expression.nops(); ++i) {
+      const GiNaC::ex operand = expression.op(i);
+      keyed.emplace_back(text(operand, false) + " " + text(operand, true), operand);
+    }
+    if (is_commutative(expression)) {
+      std::stable_sort(keyed.begin(), keyed.end(),
+                       [](const auto& a, const auto& b) { return a.first < b.first; });
+    }
+    std::vector<GiNaC::ex> operands;
+    for (const auto& [key, operand] : keyed) operands.push_back(operand);
+    return operands;
   }
-  if (is_commutative(expression) && operands.size() == 1) return operands[0];
-  if (is_commutative(expression)) std::sort(operands.begin(), operands.end());
-  std::string text = GiNaC::is_a<GiNaC::add>(expression)     ? "+("
-                     : GiNaC::is_a<GiNaC::mul>(expression)   ? "*("
-                     : GiNaC::is_a<GiNaC::power>(expression) ? "^("
-                                                             : "f(";
-  if (GiNaC::is_a<GiNaC::function>(expression)) {
-    text = GiNaC::ex_to<GiNaC::function>(expression).get_name() + "(";
-  }
-  for (const std::string& operand : operands) text += operand + ",";
-  return text + ")";
-}
 
-std::vector<GiNaC::ex> canonical_operands(const GiNaC::ex& expression) {
-  std::vector<std::pair<std::string, GiNaC::ex>> keyed;
-  for (std::size_t i = 0; i < expression.nops(); ++i) {
-    const std::string key =
-        canonical_text(expression.op(i), false) + " " + canonical_text(expression.op(i), true);
-    keyed.emplace_back(key, expression.op(i));
+ private:
+  using Texts = std::map<GiNaC::ex, std::string, GiNaC::ex_is_less>;
+
+  const std::string& text(const GiNaC::ex& expression, bool with_numbers) {
+    Texts& texts = with_numbers ? with_numbers_ : without_numbers_;
+    if (const auto known = texts.find(expression); known != texts.end()) return known->second;
+    return texts.emplace(expression, compose(expression, with_numbers)).first->second;
   }
-  if (is_commutative(expression)) {
-    std::stable_sort(keyed.begin(), keyed.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+
+  std::string compose(const GiNaC::ex& expression, bool with_numbers) {
+    if (expression.nops() == 0) return printed(expression);
+    std::vector<std::string> operands;
+    for (std::size_t i = 0; i < expression.nops(); ++i) {
+      const bool is_number =
+          is_commutative(expression) && GiNaC::is_a<GiNaC::numeric>(expression.op(i));
+      if (is_number && !with_numbers) continue;
+      operands.push_back(text(expression.op(i), with_numbers));
+    }
+    if (is_commutative(expression) && operands.size() == 1) return operands[0];
+    if (is_commutative(expression)) std::sort(operands.begin(), operands.end());
+    std::string text = GiNaC::is_a<GiNaC::add>(expression)     ? "+("
+                       : GiNaC::is_a<GiNaC::mul>(expression)   ? "*("
+                       : GiNaC::is_a<GiNaC::power>(expression) ? "^("
+                                                               : "f(";
+    if (GiNaC::is_a<GiNaC::function>(expression)) {
+      text = GiNaC::ex_to<GiNaC::function>(expression).get_name() + "(";
+    }
+    for (const std::string& operand : operands) text += operand + ",";
+    return text + ")";
   }
-  std::vector<GiNaC::ex> operands;
-  for (const auto& [text, operand] : keyed) operands.push_back(operand);
-  return operands;
-}
+
+  Texts with_numbers_, without_numbers_;
+};
 
 Function function_named(const std::string& name) {
   if (name == "log") return Function::log;
@@ -77,43 +91,71 @@ Function function_named(const std::string& name) {
   throw InternalError("function '" + name + "' has no counterpart in the expression graph");
 }
 
+/// Lowers expressions that share subexpressions, each of them once.
+class Lowering {
+ public:
+  Lowering(Dag& dag, const SymbolNodes& symbols) : dag_(dag), symbols_(symbols) {}
+
+  NodeId lowered(const GiNaC::ex& expression) {
+    if (GiNaC::is_a<GiNaC::numeric>(expression)) {
+      return dag_.number(ExactNumber(rational_of(expression)));
+    }
+    if (GiNaC::is_a<GiNaC::symbol>(expression)) {
+      const auto found = symbols_.find(expression);
+      if (found == symbols_.end()) {
+        throw InternalError("symbol " + printed(expression) + " has no node");
+      }
+      return found->second;
+    }
+    if (const auto known = nodes_.find(expression); known != nodes_.end()) return known->second;
+    return nodes_.emplace(expression, composed(expression)).first->second;
+  }
+
+ private:
+  NodeId composed(const GiNaC::ex& expression) {
+    const std::vector<GiNaC::ex> operands = order_.operands(expression);
+    if (is_commutative(expression)) {
+      std::vector<Operand> lowered_operands;
+      for (const GiNaC::ex& operand : operands) {
+        lowered_operands.push_back({lowered(operand), NumberPool::one});
+      }
+      return GiNaC::is_a<GiNaC::add>(expression) ? dag_.sum(std::move(lowered_operands))
+                                                 : dag_.product(std::move(lowered_operands));
+    }
+    if (GiNaC::is_a<GiNaC::power>(expression)) {
+      const GiNaC::ex& base = operands[0];
+      const cln::cl_RA exponent = rational_of(operands[1]);
+      if (GiNaC::is_a<GiNaC::numeric>(base) && cln::denominator(exponent) == 2) {
+        const ExactNumber root = ExactNumber::square_root(rational_of(base));
+        return dag_.number(root.power(cln::cl_I_to_long(cln::numerator(exponent))));
+      }
+      return dag_.power(lowered(base), dag_.numbers().intern(ExactNumber(exponent)));
+    }
+    if (GiNaC::is_a<GiNaC::function>(expression)) {
+      const std::string name = GiNaC::ex_to<GiNaC::function>(expression).get_name();
+      return dag_.function(function_named(name), lowered(operands[0]));
+    }
+    throw InternalError("expression " + printed(expression) + " cannot be lowered");
+  }
+
+  Dag& dag_;
+  const SymbolNodes& symbols_;
+  CanonicalOrder order_;
+  std::map<GiNaC::ex, NodeId, GiNaC::ex_is_less> nodes_;
+};
+
 }  // namespace
 
+std::vector<NodeId> lower(Dag& dag, const std::vector<GiNaC::ex>& expressions,
+                          const SymbolNodes& symbols) {
+  Lowering lowering(dag, symbols);
+  std::vector<NodeId> nodes;
+  for (const GiNaC::ex& expression : expressions) nodes.push_back(lowering.lowered(expression));
+  return nodes;
+}
+
 NodeId lower(Dag& dag, const GiNaC::ex& expression, const SymbolNodes& symbols) {
-  if (GiNaC::is_a<GiNaC::numeric>(expression)) {
-    return dag.number(ExactNumber(rational_of(expression)));
-  }
-  if (GiNaC::is_a<GiNaC::symbol>(expression)) {
-    const auto found = symbols.find(expression);
-    if (found == symbols.end()) {
-      throw InternalError("symbol " + printed(expression) + " has no node");
-    }
-    return found->second;
-  }
-  const std::vector<GiNaC::ex> operands = canonical_operands(expression);
-  if (GiNaC::is_a<GiNaC::add>(expression) || GiNaC::is_a<GiNaC::mul>(expression)) {
-    std::vector<Operand> lowered;
-    for (const GiNaC::ex& operand : operands) {
-      lowered.push_back({lower(dag, operand, symbols), NumberPool::one});
-    }
-    return GiNaC::is_a<GiNaC::add>(expression) ? dag.sum(std::move(lowered))
-                                               : dag.product(std::move(lowered));
-  }
-  if (GiNaC::is_a<GiNaC::power>(expression)) {
-    const GiNaC::ex& base = operands[0];
-    const cln::cl_RA exponent = rational_of(operands[1]);
-    if (GiNaC::is_a<GiNaC::numeric>(base) && cln::denominator(exponent) == 2) {
-      const ExactNumber root = ExactNumber::square_root(rational_of(base));
-      return dag.number(root.power(cln::cl_I_to_long(cln::numerator(exponent))));
-    }
-    const NumberId factor = dag.numbers().intern(ExactNumber(exponent));
-    return dag.power(lower(dag, base, symbols), factor);
-  }
-  if (GiNaC::is_a<GiNaC::function>(expression)) {
-    const Function function = function_named(GiNaC::ex_to<GiNaC::function>(expression).get_name());
-    return dag.function(function, lower(dag, operands[0], symbols));
-  }
-  throw InternalError("expression " + printed(expression) + " cannot be lowered");
+  return lower(dag, std::vector<GiNaC::ex>{expression}, symbols)[0];
 }
 
 ExactNumber exact_value(const GiNaC::ex& expression,

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "symgen/dag/dag.h"
 
@@ -19,6 +20,10 @@ using SymbolNodes = std::map<GiNaC::ex, NodeId, GiNaC::ex_is_less>;
 /// an equal graph.
 /// @throws InternalError  for anything else
 [[nodiscard]] NodeId lower(Dag& dag, const GiNaC::ex& expression, const SymbolNodes& symbols);
+
+/// Several expressions; what they have in common is walked once.
+[[nodiscard]] std::vector<NodeId> lower(Dag& dag, const std::vector<GiNaC::ex>& expressions,
+                                        const SymbolNodes& symbols);
 
 /// The exact value of an expression in which every symbol has one.
 [[nodiscard]] ExactNumber exact_value(

@@ -34,10 +34,6 @@ ExactMatrix shape_gradients(const Element& element, const std::vector<GiNaC::ex>
 /// Since the gradients of a partition of unity add up to zero, sum_a c_a U_a may be written with
 /// differences of U only: nodes whose coefficients are opposite at every quadrature point are
 /// paired (the edges of a hexahedron), the others refer to the last node.
-struct Difference {
-  int node, other;
-};
-
 std::vector<Difference> nodal_differences(const std::vector<ExactMatrix>& gradients, int k) {
   const int num_nodes = static_cast<int>(gradients[0].size());
   const auto opposite = [&](int a, int b) {
@@ -101,14 +97,20 @@ class Builder {
     add(graph_.direction, "V", Stage::direction);
   }
 
-  void add_energies(const Law& law, const EnergyDensity& energy) {
+  void add_energies(const Law& law, const EnergyDensity& energy, Derivation derivation) {
     graph_.energies.resize(energy.terms.size());
+    std::optional<GinacDerivatives> by_ginac;
+    if (derivation == Derivation::ginac) {
+      by_ginac.emplace(law, energy, element_.num_nodes(), differences_, graph_.dag.number_pool());
+      graph_.derivatives.resize(energy.terms.size());
+    }
     for (int g = 0; g < quadrature_.num_points(); ++g) {
       const NodeMatrix jacobian = jacobian_at(g);
       const NodeId determinant = determinant_of(jacobian);
       graph_.determinants.push_back(determinant);
+      const NodeMatrix inverse_jacobian = inverse_of(jacobian);
       const NodeMatrix gradient =
-          matrix_product(reference_gradient(graph_.displacement, g), inverse_of(jacobian));
+          matrix_product(reference_gradient(graph_.displacement, g), inverse_jacobian);
 
       SymbolNodes symbols;
       for (std::size_t p = 0; p < law.parameters.size(); ++p) {
@@ -126,6 +128,13 @@ class Builder {
       for (std::size_t l = 0; l < energy.terms.size(); ++l) {
         graph_.energies[l].push_back(
             weighted(lower(graph_.dag, energy.terms[l], symbols), determinant, weight));
+      }
+      if (!by_ginac) continue;
+      const PointValues values{graph_.parameters, graph_.displacement,
+                               graph_.direction,  difference_coefficients(g),
+                               inverse_jacobian,  graph_.dag.scale(weight, determinant)};
+      for (std::size_t l = 0; l < energy.terms.size(); ++l) {
+        graph_.derivatives[l].push_back(by_ginac->at_point(graph_.dag, l, values));
       }
     }
   }
@@ -180,6 +189,17 @@ class Builder {
       }
     }
     return result;
+  }
+
+  /// [k][p] = d Lambda / d xi_k of the node of differences_[k][p].
+  NodeMatrix difference_coefficients(int g) {
+    NodeMatrix coefficients(differences_.size());
+    for (std::size_t k = 0; k < differences_.size(); ++k) {
+      for (const Difference& difference : differences_[k]) {
+        coefficients[k].push_back(graph_.dag.number(gradients_[g][difference.node][k]));
+      }
+    }
+    return coefficients;
   }
 
   NodeMatrix jacobian_at(int g) {
@@ -306,12 +326,18 @@ std::string geometry_name(Geometry geometry) {
   return geometry == Geometry::box ? "box" : "general";
 }
 
+std::vector<Geometry> geometries_of(const Element& element) {
+  std::vector<Geometry> geometries{Geometry::general};
+  if (element.has_box) geometries.push_back(Geometry::box);
+  return geometries;
+}
+
 ElementGraph build_element_graph(const Law& law, const EnergyDensity& energy,
                                  const Element& element, const Quadrature& quadrature,
-                                 Geometry geometry) {
+                                 Geometry geometry, Derivation derivation) {
   Builder builder(element, quadrature, geometry);
   builder.add_inputs(law);
-  builder.add_energies(law, energy);
+  builder.add_energies(law, energy, derivation);
   builder.add_nodal_volumes();
   return builder.take();
 }

@@ -7,7 +7,9 @@
 
 #include "symgen/dag/dag.h"
 #include "symgen/element/element.h"
+#include "symgen/mechanics/derivation.h"
 #include "symgen/mechanics/energy.h"
+#include "symgen/mechanics/ginac_derivatives.h"
 #include "symgen/quadrature/quadrature.h"
 
 namespace elastogen::symgen {
@@ -15,6 +17,9 @@ namespace elastogen::symgen {
 /// What is known of an element's rest shape: any, or an axis-aligned rectangular box.
 enum class Geometry { general, box };
 [[nodiscard]] std::string geometry_name(Geometry geometry);
+
+/// The variants that an element has, `general` first.
+[[nodiscard]] std::vector<Geometry> geometries_of(const Element& element);
 
 /// Energies of one element. With N nodes and d dimensions, node a and component i stand at a*d+i.
 struct ElementGraph {
@@ -25,6 +30,8 @@ struct ElementGraph {
   std::vector<NodeId> direction;     ///< V, stage direction
   /// energies[l][g]: law term l at quadrature point g, weight and det J included [J].
   std::vector<std::vector<NodeId>> energies;
+  /// derivatives[l][g] of those energies as GiNaC took them; empty: the graph takes them.
+  std::vector<std::vector<NodalDerivatives>> derivatives;
   std::vector<NodeId> nodal_volumes;  ///< integral of shape function a over the rest shape [m^d]
   std::vector<NodeId> determinants;   ///< det J at each quadrature point
 };
@@ -35,7 +42,8 @@ struct ElementGraph {
 /// J, thesis eq. 3.40.
 [[nodiscard]] ElementGraph build_element_graph(const Law& law, const EnergyDensity& energy,
                                                const Element& element, const Quadrature& quadrature,
-                                               Geometry geometry);
+                                               Geometry geometry,
+                                               Derivation derivation = Derivation::dag);
 
 /// Where an energy is defined: values that must be positive, one for each logarithm and each root
 /// of something that depends on the displacement. Derivatives inherit the condition, not the

@@ -118,25 +118,14 @@ Graph factor(const Graph& graph) {
   Graph result{Dag(graph.dag.number_pool()), {}};
   Dag& dag = result.dag;
   Factoring factoring(dag);
-  const std::vector<bool> needed = graph.dag.reachable(graph.roots);
-  std::vector<NodeId> image(needed.size());
-  for (std::size_t i = 0; i < needed.size(); ++i) {
-    if (!needed[i]) continue;
-    const NodeId id = static_cast<NodeId>(i);
-    Node node = graph.dag[id];
-    for (Operand& operand : node.operands) operand.node = image[operand.node];
-    if (node.kind == Kind::symbol) {
-      image[i] = dag.symbol(graph.dag.symbol_name(id), node.stage);
-    } else if (node.kind == Kind::number || node.kind == Kind::function ||
-               node.stage <= Stage::rest) {
-      image[i] = dag.intern(std::move(node));
-    } else if (node.kind == Kind::product) {
-      image[i] = dag.product(std::move(node.operands));
-    } else {
-      image[i] = factoring.factored_sum(factoring.merged(std::move(node.operands)), node.value);
+  result.roots = rebuild(graph.dag, graph.roots, [&](NodeId id, Node node) {
+    if (node.kind == Kind::symbol) return dag.symbol(graph.dag.symbol_name(id), node.stage);
+    if (node.kind == Kind::number || node.kind == Kind::function || node.stage <= Stage::rest) {
+      return dag.intern(std::move(node));
     }
-  }
-  for (const NodeId root : graph.roots) result.roots.push_back(image[root]);
+    if (node.kind == Kind::product) return dag.product(std::move(node.operands));
+    return factoring.factored_sum(factoring.merged(std::move(node.operands)), node.value);
+  });
   return result;
 }
 

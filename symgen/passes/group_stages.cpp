@@ -44,33 +44,23 @@ NodeId nested(Dag& dag, Kind kind, const ByStage& groups, NumberId constant) {
 Graph group_stages(const Graph& graph) {
   Graph result{Dag(graph.dag.number_pool()), {}};
   Dag& dag = result.dag;
-  const std::vector<bool> needed = graph.dag.reachable(graph.roots);
-  std::vector<NodeId> image(needed.size());
-  for (std::size_t i = 0; i < needed.size(); ++i) {
-    if (!needed[i]) continue;
-    const NodeId id = static_cast<NodeId>(i);
-    Node node = graph.dag[id];
-    for (Operand& operand : node.operands) operand.node = image[operand.node];
-    if (node.kind == Kind::symbol) {
-      image[i] = dag.symbol(graph.dag.symbol_name(id), node.stage);
-      continue;
-    }
+  result.roots = rebuild(graph.dag, graph.roots, [&](NodeId id, Node node) {
+    if (node.kind == Kind::symbol) return dag.symbol(graph.dag.symbol_name(id), node.stage);
     if (node.kind == Kind::number || node.kind == Kind::function) {
-      image[i] = dag.intern(std::move(node));
-      continue;
+      return dag.intern(std::move(node));
+    }
+    if (node.kind == Kind::product && node.operands.size() == 1) {
+      // A lone primitive power (a reciprocal) is already in its final form.
+      const Operand power = whole_power(dag, node.operands[0]);
+      if (power.factor == NumberPool::one) return power.node;
     }
     ByStage groups;
     for (const Operand& operand : node.operands) {
       const Operand placed = node.kind == Kind::product ? whole_power(dag, operand) : operand;
       groups[static_cast<std::size_t>(dag[placed.node].stage)].push_back(placed);
     }
-    // A lone primitive power (a reciprocal) is already in its final form.
-    const bool is_primitive = node.kind == Kind::product && node.operands.size() == 1 &&
-                              whole_power(dag, node.operands[0]).factor == NumberPool::one;
-    image[i] = is_primitive ? whole_power(dag, node.operands[0]).node
-                            : nested(dag, node.kind, groups, node.value);
-  }
-  for (const NodeId root : graph.roots) result.roots.push_back(image[root]);
+    return nested(dag, node.kind, groups, node.value);
+  });
   return result;
 }
 
