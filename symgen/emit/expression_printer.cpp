@@ -54,6 +54,43 @@ void ExpressionPrinter::print(const Fragment& fragment, bool accumulate, SourceW
   }
 }
 
+std::string ExpressionPrinter::array_name(Slot slot) {
+  switch (slot) {
+    case Slot::position:
+      return "x";
+    case Slot::parameter:
+      return "p";
+    case Slot::constant:
+      return "c";
+    case Slot::displacement:
+      return "u";
+    case Slot::direction:
+      return "v";
+    case Slot::state:
+      return "s";
+    case Slot::number:
+    case Slot::temporary:
+      break;
+  }
+  throw InternalError("not an input array");
+}
+
+std::string ExpressionPrinter::name_of(Function function) {
+  switch (function) {
+    case Function::log:
+      return "log";
+    case Function::log1p:
+      return "log1p";
+    case Function::log1p_remainder:
+      return "log1p_remainder";
+    case Function::exp:
+      return "exp";
+    case Function::none:
+      break;
+  }
+  throw InternalError("unknown function");
+}
+
 std::string ExpressionPrinter::output_value(const Fragment& fragment,
                                             const Reference& reference) const {
   const std::string text = value(reference);

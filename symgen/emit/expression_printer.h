@@ -36,6 +36,11 @@ class ExpressionPrinter {
   /// The statement that keeps the domain's margin no larger than `value`.
   [[nodiscard]] virtual std::string margin_update(const std::string& value) const = 0;
 
+  /// The same in every language: the array of an input, "c" for constants, and "log1p".
+  [[nodiscard]] static std::string array_name(Slot slot);
+  [[nodiscard]] static std::string name_of(Function function);
+  [[nodiscard]] const NumberPool& numbers() const { return numbers_; }
+
  private:
   [[nodiscard]] std::string literal(const Literal& value) const;
   [[nodiscard]] std::string value(const Reference& reference) const;

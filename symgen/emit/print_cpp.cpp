@@ -5,16 +5,20 @@
 #include <algorithm>
 
 #include "runtime/error.h"
-#include "symgen/emit/expression_printer.h"
+#include "symgen/emit/operation_printer.h"
 #include "symgen/emit/source_writer.h"
 #include "symgen/version.h"
 
 namespace elastogen::symgen {
 namespace {
 
-class CppPrinter : public ExpressionPrinter {
+constexpr const char* kernel_parameters =
+    "([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out, "
+    "[[maybe_unused]] V& margin";
+
+class CppPrinter : public OperationPrinter {
  public:
-  using ExpressionPrinter::ExpressionPrinter;
+  using OperationPrinter::OperationPrinter;
 
  protected:
   std::string number(double value) const override {
@@ -25,7 +29,7 @@ class CppPrinter : public ExpressionPrinter {
   }
   std::string input(Slot slot, int index, int entry) const override {
     const std::string at = entry >= 0 ? fmt::format("row.index[{}]", entry) : std::to_string(index);
-    return fmt::format("{}[{}]", array_of(slot), at);
+    return fmt::format("{}[{}]", array_name(slot), at);
   }
   std::string output(int index, int entry) const override {
     return entry >= 0 ? fmt::format("out[row.index[{}]]", entry) : fmt::format("out[{}]", index);
@@ -46,153 +50,37 @@ class CppPrinter : public ExpressionPrinter {
     return fmt::format("kernel::keep_smaller<V>(margin, {});", value);
   }
 
- private:
-  static const char* array_of(Slot slot) {
-    switch (slot) {
-      case Slot::position:
-        return "x";
-      case Slot::parameter:
-        return "p";
-      case Slot::constant:
-        return "c";
-      case Slot::displacement:
-        return "u";
-      case Slot::direction:
-        return "v";
-      case Slot::state:
-        return "s";
-      case Slot::number:
-      case Slot::temporary:
-        break;
-    }
-    throw InternalError("not an input array");
+  std::string function_name(const std::string& operation) const override { return operation; }
+  void open_function(const std::string& name, Role role, SourceWriter& out) const override {
+    const bool is_fragment = role == Role::fragment || role == Role::fragment_with_row;
+    out.line("template <class V>");
+    out.line(fmt::format(
+        "{} {}{}{}) {{", is_fragment ? "[[gnu::noinline]] void" : "inline void", name,
+        kernel_parameters,
+        role == Role::fragment_with_row ? fmt::format(", const {}_row& row", name) : ""));
+    out.indent();
+    if (role == Role::caller) return;
+    out.line("using S [[maybe_unused]] = kernel::Scalar<V>;");
+    out.line("[[maybe_unused]] const auto& [x, p, c, u, v, s] = in;");
   }
-  static const char* name_of(Function function) {
-    switch (function) {
-      case Function::log:
-        return "log";
-      case Function::log1p:
-        return "log1p";
-      case Function::log1p_remainder:
-        return "log1p_remainder";
-      case Function::exp:
-        return "exp";
-      case Function::none:
-        break;
+  std::string zero() const override { return "V{}"; }
+  std::string call(const std::string& name, Role role, std::size_t count) const override {
+    if (role == Role::fragment_with_row) {
+      return fmt::format("for (const auto& row : {0}_rows) {0}<V>(in, out, margin, row);", name);
     }
-    throw InternalError("unknown function");
+    const std::string once = fmt::format("{}<V>(in, out, margin);", name);
+    return count > 1 ? fmt::format("for (int k = 0; k < {}; ++k) {}", count, once) : once;
+  }
+  std::string open_row_type(const std::string& name) const override {
+    return fmt::format("struct {}_row {{", name);
+  }
+  std::string close_row_type(const std::string&) const override { return "};"; }
+  std::string row_number_type() const override { return "double"; }
+  std::string row_number(double value) const override { return fmt::format("{:.17g}", value); }
+  std::string open_rows(const std::string& name, std::size_t count) const override {
+    return fmt::format("inline constexpr {0}_row {0}_rows[{1}] = {{", name, count);
   }
 };
-
-constexpr const char* kernel_parameters =
-    "([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out, "
-    "[[maybe_unused]] V& margin";
-
-void open_body(SourceWriter& out) {
-  out.indent();
-  out.line("using S [[maybe_unused]] = kernel::Scalar<V>;");
-  out.line("[[maybe_unused]] const auto& [x, p, c, u, v, s] = in;");
-}
-
-void close_body(SourceWriter& out) {
-  out.outdent();
-  out.line("}");
-  out.line();
-}
-
-/// The rows of a fragment that stands for several.
-void print_rows(const FragmentGroup& group, const std::string& name, const NumberPool& numbers,
-                SourceWriter& out) {
-  const std::size_t num_numbers = group.numbers[0].size(), num_indices = group.indices[0].size();
-  out.line(fmt::format("struct {}_row {{", name));
-  out.indent();
-  if (num_numbers > 0) out.line(fmt::format("double number[{}];", num_numbers));
-  if (num_indices > 0) out.line(fmt::format("int index[{}];", num_indices));
-  out.outdent();
-  out.line("};");
-  out.line(fmt::format("inline constexpr {0}_row {0}_rows[{1}] = {{", name, group.num_members()));
-  out.indent();
-  for (std::size_t m = 0; m < group.num_members(); ++m) {
-    std::string row;
-    if (num_numbers > 0) {
-      row += "{";
-      for (std::size_t k = 0; k < num_numbers; ++k) {
-        row += fmt::format("{}{:.17g}", k > 0 ? ", " : "", numbers.value(group.numbers[m][k]));
-      }
-      row += "}";
-    }
-    if (num_indices > 0) {
-      row += row.empty() ? "{" : ", {";
-      for (std::size_t k = 0; k < num_indices; ++k) {
-        row += fmt::format("{}{}", k > 0 ? ", " : "", group.indices[m][k]);
-      }
-      row += "}";
-    }
-    out.line("{" + row + "},");
-  }
-  out.outdent();
-  out.line("};");
-}
-
-/// One operation: a function, or one per fragment group and one that calls them.
-void print_operation(const OperationKernels& operation, const Dag& dag, SourceWriter& out) {
-  const CppPrinter printer(dag.numbers());
-  const std::vector<FragmentGroup> groups = group_fragments(operation.fragments);
-  const bool is_whole = operation.fragments.size() == 1;
-  long flops = 0;
-  for (const Fragment& fragment : operation.fragments) flops += fragment.operations.flops();
-  const std::string summary =
-      is_whole ? fmt::format("/// {}: {} flops per element", operation.name, flops)
-               : fmt::format("/// {}: {} flops per element, {} fragments, {} of them different",
-                             operation.name, flops, operation.fragments.size(), groups.size());
-
-  if (is_whole) {
-    const Fragment& fragment = operation.fragments[0];
-    out.line(summary);
-    out.line("template <class V>");
-    out.line(fmt::format("inline void {}{}) {{", operation.name, kernel_parameters));
-    open_body(out);
-    std::vector<bool> written(static_cast<std::size_t>(operation.num_outputs), false);
-    for (const Output& each : fragment.outputs) {
-      if (each.index != Output::margin) written[each.index] = true;
-    }
-    for (std::size_t k = 0; k < written.size(); ++k) {
-      if (!written[k]) out.line(fmt::format("out[{}] = V{{}};", k));
-    }
-    printer.print(fragment, false, out);
-    close_body(out);
-    return;
-  }
-  std::vector<std::string> calls;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    const std::string name = fmt::format("{}_{}", operation.name, i);
-    const std::size_t count = groups[i].num_members();
-    const bool has_rows = !groups[i].numbers[0].empty() || !groups[i].indices[0].empty();
-    if (groups[i].shape.outputs.empty()) continue;
-    if (has_rows) print_rows(groups[i], name, dag.numbers(), out);
-    out.line("template <class V>");
-    out.line(fmt::format("[[gnu::noinline]] void {}{}{}) {{", name, kernel_parameters,
-                         has_rows ? fmt::format(", const {}_row& row", name) : ""));
-    open_body(out);
-    printer.print(groups[i].shape, true, out);
-    close_body(out);
-    calls.push_back(
-        has_rows
-            ? fmt::format("for (const auto& row : {0}_rows) {0}<V>(in, out, margin, row);", name)
-        : count > 1
-            ? fmt::format("for (int k = 0; k < {}; ++k) {}<V>(in, out, margin);", count, name)
-            : fmt::format("{}<V>(in, out, margin);", name));
-  }
-  out.line(summary);
-  out.line("template <class V>");
-  out.line(fmt::format("inline void {}{}) {{", operation.name, kernel_parameters));
-  out.indent();
-  if (operation.num_outputs > 0) {
-    out.line(fmt::format("for (int k = 0; k < {}; ++k) out[k] = V{{}};", operation.num_outputs));
-  }
-  for (const std::string& call : calls) out.line(call);
-  close_body(out);
-}
 
 /// K column by column: the state once, then the second stage of the product along each unit
 /// direction.
@@ -215,44 +103,9 @@ void print_stiffness(const VariantKernels& kernels, SourceWriter& out) {
   out.line(fmt::format("for (int i = 0; i < {0}; ++i) out[i * {0} + j] = -column[i];", num_dofs));
   out.outdent();
   out.line("}");
-  close_body(out);
-}
-
-/// Text from a law file as part of a comment: on one line, and not continued by a backslash.
-std::string comment_text(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-    if (c == '\\') c = '/';
-  }
-  return text;
-}
-
-void print_provenance(const Provenance& provenance, const std::vector<VariantReport>& reports,
-                      SourceWriter& out) {
-  out.line(
-      fmt::format("// Generated by elastogen {}. Do not edit: change the law and generate again.",
-                  generator_version));
-  out.line("//");
-  out.line("// association  " + provenance.association);
-  out.line("// law          " + comment_text(provenance.law_title));
-  for (const std::string& term : provenance.law_terms)
-    out.line("//              " + comment_text(term));
-  out.line("//              " + comment_text(provenance.law_source));
-  out.line("// element      " + provenance.element);
-  out.line("// quadrature   " + provenance.quadrature);
-  out.line("// split        " + provenance.split);
-  out.line("// profile      " + provenance.profile);
-  out.line("// hash         " + provenance.hash);
-  out.line("//");
-  out.line(
-      "// per element in double         flops  constants  state  bytes read  written  fragments");
-  for (const VariantReport& report : reports) {
-    for (const OperationReport& operation : report.operations) {
-      out.line(fmt::format("// {:<9}{:<18}{:>7}{:>11}{:>7}{:>12}{:>9}{:>11}", report.geometry,
-                           operation.name, operation.flops, operation.constants, operation.state,
-                           operation.bytes_read, operation.bytes_written, operation.fragments));
-    }
-  }
+  out.outdent();
+  out.line("}");
+  out.line();
 }
 
 void set_code_bytes(VariantReport& report, const std::string& name, std::size_t bytes) {
@@ -288,9 +141,10 @@ std::string print_cpp_header(const AssociationId& id, const Provenance& provenan
     out.line(fmt::format("inline constexpr int num_state = {};", kernels.num_state));
     out.line(fmt::format("inline constexpr bool reads_positions = {};", kernels.reads_positions));
     out.line();
+    const CppPrinter printer(kernels.dag.numbers());
     for (const OperationKernels& operation : kernels.operations) {
       const std::size_t before = out.size();
-      print_operation(operation, kernels.dag, out);
+      printer.print_operation(operation, out);
       set_code_bytes(reports[k], operation.name, out.size() - before);
     }
     const std::size_t before = out.size();

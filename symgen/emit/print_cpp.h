@@ -5,16 +5,9 @@
 #include <vector>
 
 #include "symgen/build_kernels.h"
+#include "symgen/emit/provenance.h"
 
 namespace elastogen::symgen {
-
-/// What opens every generated file.
-struct Provenance {
-  std::string association;
-  std::string law_title, law_source;
-  std::vector<std::string> law_terms;  ///< "volume: lambda/2*trE^2"
-  std::string element, quadrature, split, profile, hash;
-};
 
 /// The header of an association: one namespace per geometry variant, one function template per
 /// operation. Fills in code_bytes of the reports.
