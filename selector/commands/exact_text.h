@@ -1,4 +1,4 @@
-// Exact numbers and expressions as text that is the same in every run.
+// Exact numbers as text.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -12,9 +12,5 @@ namespace elastogen::selector {
 /// exponent: "1.250e-7".
 /// @throws InternalError  when the expression is no real number
 [[nodiscard]] std::string decimal_text(const GiNaC::ex& number, int digits);
-
-/// An expression in the syntax of law files, without expanding it. Operands of sums and products
-/// are ordered by their text: GiNaC's own order may change from run to run.
-[[nodiscard]] std::string expression_text(const GiNaC::ex& expression);
 
 }  // namespace elastogen::selector

@@ -10,6 +10,7 @@
 #include "selector/commands/explain_thesis.h"
 #include "selector/support/files.h"
 #include "symgen/element/element.h"
+#include "symgen/law/expression_text.h"
 #include "symgen/quadrature/quadrature.h"
 
 namespace elastogen::selector {
@@ -121,7 +122,7 @@ Json explanation_json(const Explanation& explanation) {
   }
   Json shape_functions = Json::array();
   for (const GiNaC::ex& function : explanation.element.shape_functions) {
-    shape_functions.push_back(expression_text(function));
+    shape_functions.push_back(symgen::expression_text(function));
   }
   Json variants = Json::array();
   const std::vector<symgen::VariantReport>& others = explanation.other.variants;

@@ -134,34 +134,6 @@ Parameter read_parameter(const std::string& file, const toml::table& table, std:
   return parameter;
 }
 
-std::string text_of(const GiNaC::ex& expression) {
-  std::ostringstream out;
-  out << expression;
-  return out.str();
-}
-
-/// Each term must vanish at rest with its first derivative, by itself: a sum of terms may be split.
-void check_rest_state(const TomlFields& fields, const GiNaC::ex& term) {
-  RestState rest;
-  try {
-    rest = rest_state(term);
-  } catch (const std::exception&) {
-    fields.fail("energy", "the energy or its derivative is not finite at rest (H = 0)");
-  }
-  if (!rest.energy.is_zero()) {
-    fields.fail("energy", fmt::format("the energy at rest (H = 0) is {}, must be 0; subtract it",
-                                      text_of(rest.energy)));
-  }
-  if (std::any_of(rest.stress.begin(), rest.stress.end(),
-                  [](const GiNaC::ex& component) { return !component.is_zero(); })) {
-    fields.fail("energy",
-                fmt::format("the term is not stress-free at rest: dW/dH is ({}) times the identity "
-                            "at H = 0, must be 0; write what only cancels together as one term, "
-                            "as in mu/2*(I1 - 3) - mu*log(J)",
-                            text_of(rest.stress.front())));
-  }
-}
-
 LawTerm read_term(const std::string& file, const toml::table& table, std::size_t index,
                   const std::vector<LawTerm>& before, const std::vector<SymbolGroup>& symbols) {
   const TomlFields fields(file, table, describe("term", table, index), {"name", "energy"});
@@ -173,8 +145,36 @@ LawTerm read_term(const std::string& file, const toml::table& table, std::size_t
   if (term.expression.normal().is_zero()) {
     fields.fail("energy", "the energy is zero for every deformation; remove the term");
   }
-  check_rest_state(fields, term.expression);
+  const toml::node* energy = table.get("energy");
+  term.line = static_cast<int>(energy->source().begin.line);
   return term;
+}
+
+/// [moduli], if the file has it.
+std::optional<DeclaredModuli> read_moduli(const TomlFields& law_fields, const std::string& file,
+                                          const toml::table& root, const SymbolGroup& parameters) {
+  const toml::node* node = root.get("moduli");
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_table()) {
+    law_fields.fail("moduli", "'moduli' must be written as a table [moduli] with lambda and mu");
+  }
+  const TomlFields fields(file, *node->as_table(), "moduli", {"lambda", "mu"});
+  const auto modulus = [&](const std::string& key) {
+    const std::string text = fields.required_text(key);
+    return at_key(fields, key, [&] { return parse_expression(text, {parameters}); });
+  };
+  return DeclaredModuli{modulus("lambda"), modulus("mu")};
+}
+
+/// Each term must vanish at rest with its first derivative, by itself: a sum of terms may be split.
+void check_rest_state(const Law& law) {
+  for (const LawTerm& term : law.terms) {
+    const RestState rest = rest_state(term.expression);
+    for (const std::string& fault : {energy_fault(rest), stress_fault(rest)}) {
+      if (fault.empty()) continue;
+      throw InputError(fmt::format("{}:{}: term '{}': {}", law.file, term.line, term.name, fault));
+    }
+  }
 }
 
 void check_all_parameters_used(const std::string& file, const Law& law,
@@ -204,10 +204,12 @@ std::string canonical_text(const Law& law) {
 
 }  // namespace
 
-Law read_law(const std::filesystem::path& path) {
+Law parse_law(const std::filesystem::path& path) {
   const std::string file = path.string();
   const toml::table root = parse_toml(file, read_text(path));
-  const TomlFields fields(file, root, "law", {"name", "title", "source", "parameter", "term"});
+  const TomlFields fields(
+      file, root, "law",
+      {"name", "title", "source", "small_strain", "moduli", "parameter", "term"});
   Law law;
   law.file = file;
   law.name = read_identifier(fields, {});
@@ -217,6 +219,7 @@ Law read_law(const std::filesystem::path& path) {
   }
   law.title = fields.optional_text("title");
   law.source = fields.optional_text("source");
+  law.small_strain = fields.optional_flag("small_strain");
 
   const std::vector<const toml::table*> parameter_tables = fields.required_tables("parameter");
   SymbolGroup parameter_symbols{"parameters", {}};
@@ -224,6 +227,7 @@ Law read_law(const std::filesystem::path& path) {
     law.parameters.push_back(read_parameter(file, *parameter_tables[i], i, law.parameters));
     parameter_symbols.symbols.emplace_back(law.parameters[i].name, law.parameters[i].symbol);
   }
+  law.moduli = read_moduli(fields, file, root, parameter_symbols);
   SymbolGroup invariant_symbols{"invariants", {}};
   for (const Invariant& invariant : invariants()) {
     invariant_symbols.symbols.emplace_back(invariant.name, invariant.symbol);
@@ -238,6 +242,12 @@ Law read_law(const std::filesystem::path& path) {
     return is_polynomial_in_gradient(term.expression);
   });
   law.text = canonical_text(law);
+  return law;
+}
+
+Law read_law(const std::filesystem::path& file) {
+  Law law = parse_law(file);
+  check_rest_state(law);
   return law;
 }
 

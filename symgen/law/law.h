@@ -4,6 +4,7 @@
 #include <ginac/ginac.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,13 @@ namespace elastogen::symgen {
 struct LawTerm {
   std::string name;      ///< an identifier
   std::string text;      ///< as written in the file
+  int line = 0;          ///< of the energy in the file
   GiNaC::ex expression;  ///< over parameters' symbols and the invariants' symbols (invariants.h)
+};
+
+/// Lame parameters at rest as the file declares them, over the parameters' symbols [Pa].
+struct DeclaredModuli {
+  GiNaC::ex lambda, mu;
 };
 
 struct Law {
@@ -29,11 +36,17 @@ struct Law {
   std::string text;
   std::vector<Parameter> parameters;
   std::vector<LawTerm> terms;
+  /// The file says that the law is for small displacements only: not objective, and meant so.
+  bool small_strain = false;
+  std::optional<DeclaredModuli> moduli;
   bool polynomial = false;  ///< the energy is a polynomial in the displacement gradient (proved)
 };
 
-/// Reads and checks a law file (TOML, docs/laws.md). Every term is proved to have zero energy and
-/// zero stress at rest.
+/// Reads a law file (TOML, docs/laws.md): everything but what is proved of a law.
+/// @throws InputError  with file, line, what was found and what is allowed
+[[nodiscard]] Law parse_law(const std::filesystem::path& file);
+
+/// As `parse_law`; every term is proved to have zero energy and zero stress at rest.
 /// @throws InputError  with file, line, what was found and what is allowed
 [[nodiscard]] Law read_law(const std::filesystem::path& file);
 

@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NotToml", "title = ", "title ", "own.toml:2: not valid TOML: "},
         Mistake{"UnknownKey", "title", "titel",
                 "own.toml:2: law: unknown key 'titel'; did you mean 'title'?; allowed are name, "
-                "title, source, parameter, term"},
+                "title, source, small_strain, moduli, parameter, term"},
         Mistake{"UnknownParameterKey", "unit", "units",
                 "own.toml:5: parameter 'mu': unknown key 'units'; did you mean 'unit'?"},
         Mistake{"UnknownTermKey", "energy", "energie",
