@@ -221,9 +221,9 @@ int run_check_law(const CheckLawOptions& options, const Context& context) {
   std::fflush(stdout);  // before what follows on standard error
   for (const symgen::LawProperty& property : check.properties) {
     if (property.holds) continue;
-    fmt::print(stderr, "error: {}: {}{}: {}\n", law.file,
+    fmt::print(stderr, "error: {}: {}'{}' fails: {}\n", law.file,
                property.term.empty() ? "" : fmt::format("term '{}': ", property.term),
-               "not " + property.name, property.detail);
+               property.name, property.detail);
   }
   return check.holds() ? 0 : 1;
 }

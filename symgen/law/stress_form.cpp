@@ -1,8 +1,5 @@
 #include "symgen/law/stress_form.h"
 
-#include <algorithm>
-#include <iterator>
-
 #include "symgen/mechanics/invariants.h"
 
 namespace elastogen::symgen {
@@ -37,17 +34,6 @@ std::vector<InvariantDerivative> invariant_derivatives(const GiNaC::possymbol& j
   return all;
 }
 
-std::ptrdiff_t size_of(const ex& expression) {
-  return std::distance(expression.preorder_begin(), expression.preorder_end());
-}
-
-/// The shortest of a few ways to write an expression.
-ex simplified(const ex& expression) {
-  const std::array<ex, 3> forms = {expression, expression.expand(), expression.normal()};
-  return *std::min_element(forms.begin(), forms.end(),
-                           [](const ex& a, const ex& b) { return size_of(a) < size_of(b); });
-}
-
 }  // namespace
 
 const std::array<StressTensor, num_stress_tensors>& stress_tensors() {
@@ -62,7 +48,7 @@ StressForm stress_form(const ex& term) {
   const ex energy = resolve_powers_of_j(term, j);
   const std::vector<InvariantDerivative> derivatives = invariant_derivatives(j);
   const auto finished = [&](const ex& coefficient) {
-    return simplified(coefficient).subs(j == find_invariant("J").symbol);
+    return coefficient.expand().subs(j == find_invariant("J").symbol);
   };
   StressForm form;
   for (std::size_t u = 0; u < num_stress_tensors; ++u) {
