@@ -29,10 +29,22 @@ std::vector<Value> selected(const std::vector<Value>& values, const std::vector<
   return result;
 }
 
+std::size_t num_needed(const Dag& dag, const std::vector<NodeId>& roots) {
+  const std::vector<bool> needed = dag.reachable(roots);
+  return static_cast<std::size_t>(std::count(needed.begin(), needed.end(), true));
+}
+
 /// The passes that see one fragment at a time. What is known at rest is left whole: it is shared
 /// between the fragments of all operations, later.
-Graph simplified(const Graph& graph) {
-  return share_pairs(group_stages(factor(graph)), Stage::state);
+Graph simplified(Graph graph, StageLog& log) {
+  const auto end = [&](const char* stage) { log.end(stage, num_needed(graph.dag, graph.roots)); };
+  graph = factor(graph);
+  end("factor");
+  graph = group_stages(graph);
+  end("group_stages");
+  graph = share_pairs(graph, Stage::state);
+  end("share_pairs");
+  return graph;
 }
 
 /// Values and derivatives of one energy part, in a graph of their own.
@@ -96,8 +108,9 @@ PartGraph differentiated(ElementGraph& element, const EnergyPart& part) {
 
 class Builder {
  public:
-  Builder(ElementGraph graph, Geometry geometry, const Split& split, const Profile& profile)
-      : element_(std::move(graph)), split_(split), profile_(profile) {
+  Builder(ElementGraph graph, Geometry geometry, const Split& split, const Profile& profile,
+          StageLog& log)
+      : element_(std::move(graph)), split_(split), profile_(profile), log_(log) {
     kernels_.geometry = geometry;
     kernels_.num_nodes = static_cast<int>(element_.nodal_volumes.size());
     kernels_.dim = static_cast<int>(element_.positions.size()) / kernels_.num_nodes;
@@ -116,6 +129,7 @@ class Builder {
     product_ = {"product", num_dofs, {}, {}};
     for (const EnergyPart& part : parts) {
       const PartGraph graph = differentiated(element_, part);
+      log_.end("differentiate", graph.dag.size());
       energy_.pieces.push_back(piece(graph.dag, {graph.energy}, {0}, graph.margins));
       std::vector<NodeId> margins = graph.margins;  // one fragment of the rows checks them
       for (const std::vector<int>& fragment_rows : rows) {
@@ -257,6 +271,9 @@ class Builder {
     }
   }
 
+  /// All operations share one graph from here on.
+  void end_stage(const char* stage) { log_.end(stage, kernels_.dag.size()); }
+
   VariantKernels take() { return std::move(kernels_); }
 
  private:
@@ -265,7 +282,7 @@ class Builder {
     roots.insert(roots.end(), margins.begin(), margins.end());
     Graph graph{Dag(source.number_pool()), {}};
     graph.roots = copy_into(graph.dag, source, roots);
-    graph = simplified(graph);
+    graph = simplified(std::move(graph), log_);
     roots = copy_into(kernels_.dag, graph.dag, graph.roots);
     const auto first_margin = roots.begin() + static_cast<std::ptrdiff_t>(outputs.size());
     Piece result{{roots.begin(), first_margin}, std::move(outputs), {first_margin, roots.end()}};
@@ -315,6 +332,7 @@ class Builder {
   ElementGraph element_;
   const Split& split_;
   const Profile& profile_;
+  StageLog& log_;
   VariantKernels kernels_;
   OperationKernels constants_, geometry_, energy_, forces_, product_, linearize_, apply_;
   std::size_t pieces_per_part_ = 1;
@@ -331,13 +349,18 @@ const OperationKernels& VariantKernels::operation(const std::string& name) const
 }
 
 VariantKernels build_kernels(ElementGraph graph, Geometry geometry, const Split& split,
-                             const Profile& profile, Grouping grouping) {
-  Builder builder(std::move(graph), geometry, split, profile);
+                             const Profile& profile, Grouping grouping, StageLog& log) {
+  Builder builder(std::move(graph), geometry, split, profile, log);
   builder.collect_pieces();
+  builder.end_stage("collect fragments");
   builder.share_what_is_known_at_rest();
+  builder.end_stage("share_pairs at rest");
   builder.choose_constants(grouping);
+  builder.end_stage("extract_grouped_constants");
   builder.cut_product();
+  builder.end_stage("cut the product");
   builder.schedule();
+  builder.end_stage("kernel_ast");
   return builder.take();
 }
 
@@ -400,7 +423,8 @@ long typical_fragment_flops(ElementGraph graph, const Split& split) {
     const PartGraph derivatives = differentiated(graph, parts[part]);
     Graph piece{Dag(graph.dag.number_pool()), {}};
     piece.roots = copy_into(piece.dag, derivatives.dag, selected(derivatives.product, rows));
-    piece = simplified(piece);
+    StageLog unread;
+    piece = simplified(std::move(piece), unread);
     const std::vector<bool> needed = piece.dag.reachable(piece.roots);
     long flops = 0;
     for (std::size_t i = 0; i < needed.size(); ++i) {

@@ -10,6 +10,7 @@
 #include "symgen/passes/profile.h"
 #include "symgen/passes/split.h"
 #include "symgen/pipeline.h"
+#include "symgen/stage_log.h"
 
 namespace elastogen::symgen {
 
@@ -44,9 +45,10 @@ struct VariantKernels {
 };
 
 /// The stages after mechanics, in order. `graph` is the element's; it is copied.
+/// @param log  gets a record of each stage
 [[nodiscard]] VariantKernels build_kernels(ElementGraph graph, Geometry geometry,
                                            const Split& split, const Profile& profile,
-                                           Grouping grouping);
+                                           Grouping grouping, StageLog& log);
 
 /// Energy, forces and product as they come from mechanics, without any pass: the reference.
 [[nodiscard]] VariantKernels unoptimised_kernels(ElementGraph graph);

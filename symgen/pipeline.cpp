@@ -237,30 +237,33 @@ GeneratedAssociation generate_association(const AssociationId& id, const Law& la
   std::optional<Split> split;
   std::vector<VariantKernels> variants;
   for (const Geometry geometry : geometries_of(formulation.element)) {
+    StageLog log;
     ElementGraph graph = formulation.graph(law, geometry);
+    log.end("element_graph", graph.dag.size());
     if (!split) {
       const ChosenSplit chosen = choose_split(id, graph, formulation.element, profile);
       split = chosen.split;
       result.chosen_split = chosen.split.text();
       result.split_reason = chosen.reason;
+      log.end("choose_split", graph.dag.size());
     }
     variants.push_back(
-        build_kernels(std::move(graph), geometry, *split, profile, options.grouping));
+        build_kernels(std::move(graph), geometry, *split, profile, options.grouping, log));
     result.variants.push_back(report_of(variants.back()));
+    result.variants.back().stages = log.records();
   }
-  Provenance provenance{id.text(),
-                        law.title,
-                        law.source,
-                        {},
-                        id.element,
-                        id.quadrature,
-                        id.split == "auto"
-                            ? fmt::format("auto: {} ({})", result.chosen_split, result.split_reason)
-                            : id.split,
-                        options.derivation == Derivation::ginac
-                            ? profile.name + ", derivatives by GiNaC"
-                            : profile.name,
-                        result.hash};
+  Provenance provenance{
+      id.text(),
+      law.title,
+      law.source,
+      {},
+      id.element,
+      id.quadrature,
+      id.split == "auto" ? fmt::format("auto: {} ({})", result.chosen_split, result.split_reason)
+                         : id.split,
+      options.derivation == Derivation::ginac ? profile.name + ", derivatives by GiNaC"
+                                              : profile.name,
+      result.hash};
   for (const LawTerm& term : law.terms) {
     provenance.law_terms.push_back(fmt::format("{}: {}", term.name, term.text));
   }
@@ -290,8 +293,9 @@ std::string dot_graph(const AssociationId& id, const Law& law, const GenerateOpt
   const Formulation formulation(id, law, options.stabilise, options.derivation);
   ElementGraph graph = formulation.graph(law, Geometry::general);
   const Split split = choose_split(id, graph, formulation.element, profile).split;
+  StageLog log;
   const VariantKernels kernels =
-      build_kernels(std::move(graph), Geometry::general, split, profile, options.grouping);
+      build_kernels(std::move(graph), Geometry::general, split, profile, options.grouping, log);
   std::vector<LabelledRoot> roots;
   for (const Piece& piece : kernels.operation(operation).pieces) {
     for (std::size_t k = 0; k < piece.roots.size(); ++k) {
@@ -318,8 +322,9 @@ Evaluation evaluate_graph(const AssociationId& id, const Law& law, const Element
   VariantKernels kernels;
   if (scalar == GraphScalar::dag_double) {
     const Split split = choose_split(id, graph, formulation.element, profile).split;
-    kernels =
-        build_kernels(std::move(graph), Geometry::general, split, profile, Grouping::minimum_cut);
+    StageLog log;
+    kernels = build_kernels(std::move(graph), Geometry::general, split, profile,
+                            Grouping::minimum_cut, log);
   } else {
     kernels = scalar == GraphScalar::cln ? unoptimised_kernels(std::move(graph))
                                          : expanded_kernels(std::move(graph));

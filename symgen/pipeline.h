@@ -24,6 +24,7 @@
 #include "symgen/law/law.h"
 #include "symgen/mechanics/derivation.h"
 #include "symgen/quadrature/quadrature.h"
+#include "symgen/stage_log.h"
 
 namespace elastogen::symgen {
 
@@ -76,6 +77,7 @@ struct VariantReport {
   bool reads_positions = false;
   int constants_algorithm6 = 0;  ///< what the thesis's algorithm 6 would store
   std::vector<OperationReport> operations;
+  std::vector<StageRecord> stages;  ///< from the element's graph to statements
 };
 
 /// Everything that the generator makes of one association.

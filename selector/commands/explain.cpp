@@ -26,6 +26,7 @@ struct ExplainOptions {
   std::string operation = "forces";
   std::string formulation = "gradient";
   bool json = false;
+  bool stages = false;
 };
 
 /// Everything that explains an association, before any of it is printed.
@@ -218,6 +219,16 @@ int write_graph(const ExplainOptions& options, const symgen::AssociationId& id,
   return 0;
 }
 
+/// What each stage of the pipeline made of the graph.
+void print_stages(const symgen::GeneratedAssociation& generated) {
+  for (const symgen::VariantReport& variant : generated.variants) {
+    fmt::print("\ngeometry {}\n  {:<27}{:>9}{:>11}\n", variant.geometry, "stage", "nodes", "ms");
+    for (const symgen::StageRecord& record : variant.stages) {
+      fmt::print("  {:<27}{:>9}{:>11.2f}\n", record.stage, record.nodes, 1e3 * record.seconds);
+    }
+  }
+}
+
 int run_explain(const ExplainOptions& options, const Context& context) {
   const auto id = symgen::AssociationId::parse(options.association);
   const symgen::Law law = read_law_of(id, context);
@@ -236,6 +247,7 @@ int run_explain(const ExplainOptions& options, const Context& context) {
     fmt::print("{}\n", explanation_json(explanation).dump(2));
   } else {
     print_explanation(explanation);
+    if (options.stages) print_stages(explanation.generated);
   }
   return 0;
 }
@@ -253,6 +265,10 @@ void add_explain_command(CLI::App& app, Context& context) {
   command->add_option("ASSOCIATION", options->association, "law-element-quadrature-split")
       ->required();
   CLI::Option* json = command->add_flag("--json", options->json, "For programs; exact numbers");
+  command
+      ->add_flag("--stages", options->stages,
+                 "Size of the expression graph and time after each stage (docs/generator.md)")
+      ->excludes(json);
   CLI::Option* dot = command
                          ->add_option("--dot", options->dot_file,
                                       "Write the expression graph in Graphviz's language; - is "
