@@ -12,7 +12,7 @@ packages=(
   libeigen3-dev libfmt-dev        # runtime
   libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libvtk9-dev gnuplot-nox  # command line
 )
-test_packages=(libgtest-dev)
+test_packages=(libgtest-dev ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd)
 
 usage() {
   sed -n '2,6s/^# \{0,1\}//p' "$0"

@@ -16,6 +16,7 @@
 #include "symgen/dag/evaluate.h"
 #include "symgen/emit/content_hash.h"
 #include "symgen/emit/print_cpp.h"
+#include "symgen/emit/print_opencl.h"
 #include "symgen/version.h"
 
 namespace elastogen::symgen {
@@ -268,6 +269,7 @@ GeneratedAssociation generate_association(const AssociationId& id, const Law& la
     provenance.law_terms.push_back(fmt::format("{}: {}", term.name, term.text));
   }
   result.header = print_cpp_header(id, provenance, variants, result.variants);
+  result.opencl = print_opencl(id, provenance, variants, result.variants);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -11,7 +11,8 @@
 //     -> factored, common pairs out   symgen/passes/factor, group_stages, share_pairs
 //     -> grouped constants, state     symgen/passes/extract_grouped_constants
 //     -> statements in order          symgen/emit/kernel_ast
-//     -> C++ text                     symgen/emit/print_cpp
+//     -> C++ text, OpenCL C text      symgen/emit/print_cpp, print_opencl (both of the same
+//                                     statements, by the walk of operation_printer)
 //
 // symgen/build_kernels calls the stages from derivatives to statements, symgen/pipeline the whole.
 #pragma once
@@ -87,6 +88,7 @@ struct GeneratedAssociation {
   std::string split_reason;  ///< why, in a sentence
   std::string hash;          ///< of law text, association, options, generator version
   std::string header;        ///< C++ source of the kernel templates, `identifier().h`
+  std::string opencl;        ///< OpenCL C source of the same kernels, `identifier().cl`
   double seconds = 0;        ///< time that generation took
   std::vector<VariantReport> variants;
 };

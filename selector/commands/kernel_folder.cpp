@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* manifest_name = "manifest.json";
-constexpr int manifest_version = 1;
+constexpr int manifest_version = 2;
 
 nlohmann::json empty_manifest() {
   return {{"manifest_version", manifest_version},
@@ -52,13 +52,17 @@ std::string table_declarations(const symgen::AssociationId& id) {
 
 }  // namespace
 
-SourceFiles source_files(const symgen::GeneratedAssociation& generated, const symgen::Law& law) {
+SourceFiles cpu_files(const symgen::GeneratedAssociation& generated, const symgen::Law& law) {
   const symgen::AssociationId& id = generated.id;
   const std::string name = id.identifier();
   return {{name + ".h", generated.header},
           {name + "_tables.h", table_declarations(id)},
           {name + "_f64.cpp", symgen::registration_source(id, law, all_operations(false))},
           {name + "_f32.cpp", symgen::registration_source(id, law, all_operations(true))}};
+}
+
+SourceFiles opencl_files(const symgen::GeneratedAssociation& generated) {
+  return {{generated.id.identifier() + ".cl", generated.opencl}};
 }
 
 KernelFolder::KernelFolder(fs::path folder)
@@ -71,8 +75,10 @@ KernelFolder::KernelFolder(fs::path folder)
   if (!fs::exists(file, error)) return;
   nlohmann::json found =
       nlohmann::json::parse(read_text_file(file, "manifest"), nullptr, /*allow_exceptions=*/false);
-  const bool ours = found.is_object() && found.value("manifest_version", 0) == manifest_version &&
-                    found.contains("associations") && found["associations"].is_object();
+  const int version = found.is_object() ? found.value("manifest_version", 0) : 0;
+  if (version == 1) return;  // an older generator's: everything is made again
+  const bool ours = version == manifest_version && found.contains("associations") &&
+                    found["associations"].is_object();
   if (!ours) {
     throw InputError(
         fmt::format("'{}' is no manifest of generated kernels (version {}); remove "
@@ -89,9 +95,13 @@ bool KernelFolder::holds(const std::string& file, const std::string& hash) const
          symgen::content_hash({read_text_file(path, "generated")}) == hash;
 }
 
-bool KernelFolder::is_up_to_date(const symgen::AssociationId& id, const std::string& hash) const {
-  const auto entry = manifest_["associations"].find(id.text());
-  if (entry == manifest_["associations"].end() || !entry->is_object()) return false;
+bool KernelFolder::is_up_to_date(const symgen::AssociationId& id, const std::string& target,
+                                 const std::string& hash) const {
+  const nlohmann::json& associations = manifest_["associations"];
+  const auto targets = associations.find(id.text());
+  if (targets == associations.end() || !targets->is_object()) return false;
+  const auto entry = targets->find(target);
+  if (entry == targets->end() || !entry->is_object()) return false;
   if (entry->value("hash", "") != hash || !entry->contains("files")) return false;
   for (const auto& [file, file_hash] : (*entry)["files"].items()) {
     if (!file_hash.is_string() || !holds(file, file_hash.get<std::string>())) return false;
@@ -102,7 +112,6 @@ bool KernelFolder::is_up_to_date(const symgen::AssociationId& id, const std::str
 std::size_t KernelFolder::write(const symgen::GeneratedAssociation& generated,
                                 const KernelTarget& target, const SourceFiles& files) {
   nlohmann::json entry = {{"hash", generated.hash},
-                          {"target", target.language},
                           {"profile", target.profile},
                           {"split", generated.chosen_split},
                           {"files", nlohmann::json::object()},
@@ -117,7 +126,9 @@ std::size_t KernelFolder::write(const symgen::GeneratedAssociation& generated,
     if (!holds(name, hash)) write_text_file(folder_ / name, text);
     bytes += text.size();
   }
-  manifest_["associations"][generated.id.text()] = std::move(entry);
+  nlohmann::json& targets = manifest_["associations"][generated.id.text()];
+  if (!targets.is_object()) targets = nlohmann::json::object();
+  targets[target.name] = std::move(entry);
   write_text_file(folder_ / manifest_name, manifest_.dump(2) + "\n");
   return bytes;
 }

@@ -14,32 +14,38 @@ namespace elastogen::selector {
 /// Sources of one association, by file name.
 using SourceFiles = std::map<std::string, std::string>;
 
-/// The files of an association:
+/// The files of an association for the target "cpu":
 ///   ID.h           kernel templates
 ///   ID_f64.cpp     tables of all operations, packs of doubles
 ///   ID_f32.cpp     ... of floats
 ///   ID_tables.h    declarations of the functions that return the tables
 /// with ID as an identifier (stvk_hexa8_q8_none).
-[[nodiscard]] SourceFiles source_files(const symgen::GeneratedAssociation& generated,
-                                       const symgen::Law& law);
+[[nodiscard]] SourceFiles cpu_files(const symgen::GeneratedAssociation& generated,
+                                    const symgen::Law& law);
+
+/// ... for the target "opencl": ID.cl, a program that includes opencl/prelude.cl.
+[[nodiscard]] SourceFiles opencl_files(const symgen::GeneratedAssociation& generated);
 
 /// What the sources were made for, as the manifest tells it.
 struct KernelTarget {
-  std::string language;  ///< "cpp"
+  std::string name;  ///< "cpu", "opencl"
   std::string profile;
 };
 
-/// The folder that `generate` writes to. Its `manifest.json` holds for each association, sorted by
-/// id, the hash of what it was made from, the hashes of its files, and what its kernels cost; no
-/// dates, no paths, so equal content is equal bytes. Associations that are in it already stay.
+/// The folder that `generate` writes to. Its `manifest.json` holds for each association and
+/// target, sorted, the hash of what it was made from, the hashes of its files, and what its kernels
+/// cost; no dates, no paths, so equal content is equal bytes. Associations that are in it already
+/// stay.
 class KernelFolder {
  public:
   /// Reads the folder's manifest, if there is one.
   /// @throws InputError  when the manifest is not one of ours
   explicit KernelFolder(std::filesystem::path folder);
 
-  /// Whether the files of an association are there, unchanged, and made from this hash.
-  [[nodiscard]] bool is_up_to_date(const symgen::AssociationId& id, const std::string& hash) const;
+  /// Whether the files of an association for a target are there, unchanged, and made from this
+  /// hash.
+  [[nodiscard]] bool is_up_to_date(const symgen::AssociationId& id, const std::string& target,
+                                   const std::string& hash) const;
 
   /// Writes files that differ from what is there (equal ones keep their time stamp), then the
   /// manifest. Returns the files' size in bytes.

@@ -37,6 +37,7 @@ TEST_P(Golden, GeneratedTextIsAsKept) {
   const Law law = read_law(std::string(ELASTOGEN_SOURCE_DIR) + "/laws/" + id.law + ".toml");
   const GeneratedAssociation generated = generate_association(id, law, {});
   expect_golden(id.identifier() + ".h", without_hash(generated.header, generated.hash));
+  expect_golden(id.identifier() + ".cl", without_hash(generated.opencl, generated.hash));
   const Instantiation what{false, true, {"energy", "forces", "product"}};
   expect_golden(id.identifier() + "_f64.cpp", registration_source(id, law, what));
 }

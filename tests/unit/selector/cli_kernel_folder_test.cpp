@@ -17,18 +17,18 @@ symgen::GeneratedAssociation fake_association(const std::string& law) {
   return generated;
 }
 
-const KernelTarget target = {"cpp", "x86-dram"};
+const KernelTarget target = {"cpu", "x86-dram"};
 
 TEST(KernelFolder, KnowsWhatIsUpToDate) {
   const TemporaryFolder folder;
   const symgen::GeneratedAssociation stvk = fake_association("stvk");
-  EXPECT_FALSE(KernelFolder(folder.path()).is_up_to_date(stvk.id, stvk.hash));
+  EXPECT_FALSE(KernelFolder(folder.path()).is_up_to_date(stvk.id, "cpu", stvk.hash));
   KernelFolder(folder.path()).write(stvk, target, {{"a.h", "text"}, {"a.cpp", "more"}});
 
   const KernelFolder reopened(folder.path());
-  EXPECT_TRUE(reopened.is_up_to_date(stvk.id, stvk.hash));
-  EXPECT_FALSE(reopened.is_up_to_date(stvk.id, "another hash"));
-  EXPECT_FALSE(reopened.is_up_to_date(fake_association("hooke").id, stvk.hash));
+  EXPECT_TRUE(reopened.is_up_to_date(stvk.id, "cpu", stvk.hash));
+  EXPECT_FALSE(reopened.is_up_to_date(stvk.id, "cpu", "another hash"));
+  EXPECT_FALSE(reopened.is_up_to_date(fake_association("hooke").id, "cpu", stvk.hash));
 }
 
 TEST(KernelFolder, MakesAgainWhatWasEditedOrRemoved) {
@@ -36,11 +36,11 @@ TEST(KernelFolder, MakesAgainWhatWasEditedOrRemoved) {
   const symgen::GeneratedAssociation stvk = fake_association("stvk");
   KernelFolder(folder.path()).write(stvk, target, {{"a.h", "text"}, {"a.cpp", "more"}});
   write_text_file(folder.path() / "a.h", "edited");
-  EXPECT_FALSE(KernelFolder(folder.path()).is_up_to_date(stvk.id, stvk.hash));
+  EXPECT_FALSE(KernelFolder(folder.path()).is_up_to_date(stvk.id, "cpu", stvk.hash));
   KernelFolder(folder.path()).write(stvk, target, {{"a.h", "text"}, {"a.cpp", "more"}});
-  EXPECT_TRUE(KernelFolder(folder.path()).is_up_to_date(stvk.id, stvk.hash));
+  EXPECT_TRUE(KernelFolder(folder.path()).is_up_to_date(stvk.id, "cpu", stvk.hash));
   fs::remove(folder.path() / "a.cpp");
-  EXPECT_FALSE(KernelFolder(folder.path()).is_up_to_date(stvk.id, stvk.hash));
+  EXPECT_FALSE(KernelFolder(folder.path()).is_up_to_date(stvk.id, "cpu", stvk.hash));
 }
 
 TEST(KernelFolder, KeepsOtherAssociationsAndTimeStamps) {
@@ -51,8 +51,8 @@ TEST(KernelFolder, KeepsOtherAssociationsAndTimeStamps) {
   const auto before = fs::last_write_time(folder.path() / "s.h");
   KernelFolder(folder.path()).write(hooke, target, {{"h.h", "text"}});
   KernelFolder(folder.path()).write(stvk, target, {{"s.h", "text"}});
-  EXPECT_TRUE(KernelFolder(folder.path()).is_up_to_date(stvk.id, stvk.hash));
-  EXPECT_TRUE(KernelFolder(folder.path()).is_up_to_date(hooke.id, hooke.hash));
+  EXPECT_TRUE(KernelFolder(folder.path()).is_up_to_date(stvk.id, "cpu", stvk.hash));
+  EXPECT_TRUE(KernelFolder(folder.path()).is_up_to_date(hooke.id, "cpu", hooke.hash));
   EXPECT_EQ(fs::last_write_time(folder.path() / "s.h"), before);
 }
 
