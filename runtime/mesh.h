@@ -11,7 +11,7 @@ namespace elastogen {
 
 /// Elements of one type.
 struct ElementBlock {
-  std::string element;  ///< "tet4", "hexa8", "prism6", "pyramid5"; node order of symgen/element
+  std::string element;  ///< "tri3", "quad4", "tet4", "hexa8", ...; node order of symgen/element
   int nodes_per_element = 0;
   std::vector<std::int32_t> nodes;   ///< [e * nodes_per_element + a], global node numbers
   std::vector<std::int32_t> region;  ///< [e], index into Mesh::region_names
@@ -24,7 +24,8 @@ struct ElementBlock {
 };
 
 /// A mesh of mixed blocks. Positions are node-major: positions[dim * node + component], metres.
-/// Elements are numbered through the blocks in order, from 0.
+/// Elements are numbered through the blocks in order, from 0. A plane mesh (dim 2) is a body in
+/// plane strain, 1 m thick: its volumes, masses, energies and forces are those of that thickness.
 struct Mesh {
   int dim = 3;
   std::vector<double> positions;

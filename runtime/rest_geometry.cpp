@@ -12,7 +12,8 @@
 namespace elastogen {
 namespace {
 
-constexpr std::array<std::array<int, 3>, 8> hexa8_corners = {
+// Corners of a box in the order of hexa8; the first four are those of a rectangle, quad4.
+constexpr std::array<std::array<int, 3>, 8> box_corners = {
     {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
 
 // Size of an element: largest extent along an axis, and largest coordinate.
@@ -69,18 +70,21 @@ struct BadShape {
 }  // namespace
 
 bool is_axis_aligned_box(const Mesh& mesh, const ElementBlock& block, std::size_t element) {
-  if (block.element != "hexa8" || mesh.dim != 3) return false;
+  const bool may_be_box = mesh.dim == 3 ? block.element == "hexa8" : block.element == "quad4";
+  if (!may_be_box) return false;
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  const std::size_t opposite_corner = dim == 3 ? 6 : 2;  // of corner 0
   const std::span<const std::int32_t> nodes = block.element_nodes(element);
   const auto position = [&](std::size_t a, std::size_t i) {
-    return mesh.positions[3 * static_cast<std::size_t>(nodes[a]) + i];
+    return mesh.positions[dim * static_cast<std::size_t>(nodes[a]) + i];
   };
-  std::array<double, 3> edge;
-  for (std::size_t i = 0; i < 3; ++i) edge[i] = position(6, i) - position(0, i);
+  std::array<double, 3> edge{};
+  for (std::size_t i = 0; i < dim; ++i) edge[i] = position(opposite_corner, i) - position(0, i);
   const double tolerance = 1e-12 * std::max({edge[0], edge[1], edge[2]});
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < dim; ++i) {
     if (!(edge[i] > 0)) return false;
-    for (std::size_t a = 0; a < 8; ++a) {
-      const double expected = position(0, i) + hexa8_corners[a][i] * edge[i];
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      const double expected = position(0, i) + box_corners[a][i] * edge[i];
       if (!(std::abs(position(a, i) - expected) <= tolerance)) return false;
     }
   }

@@ -10,7 +10,8 @@
 namespace elastogen {
 
 /// Whether an element's rest shape is an axis-aligned box with its nodes in the order of hexa8:
-/// (0,0,0) (1,0,0) (1,1,0) (0,1,0), then the same at z = 1, to 1e-12 of the longest edge.
+/// (0,0,0) (1,0,0) (1,1,0) (0,1,0), then the same at z = 1, to 1e-12 of the longest edge; or, in
+/// the plane, an axis-aligned rectangle in the order of quad4, the first four.
 /// Elements of other types are none.
 [[nodiscard]] bool is_axis_aligned_box(const Mesh& mesh, const ElementBlock& block,
                                        std::size_t element);

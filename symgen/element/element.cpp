@@ -10,17 +10,17 @@ namespace elastogen::symgen {
 namespace {
 
 const std::vector<Element>& elements() {
-  static const std::vector<Element> all = {make_tet4(), make_hexa8(), make_prism6(),
-                                           make_pyramid5()};
+  static const std::vector<Element> all = {make_tri3(),  make_quad4(),  make_tet4(),
+                                           make_hexa8(), make_prism6(), make_pyramid5()};
   return all;
 }
 
 }  // namespace
 
-const std::vector<GiNaC::symbol>& reference_coordinates() {
+std::vector<GiNaC::symbol> reference_coordinates(int dim) {
   static const std::vector<GiNaC::symbol> coordinates = {GiNaC::symbol("xi"), GiNaC::symbol("eta"),
                                                          GiNaC::symbol("mu")};
-  return coordinates;
+  return {coordinates.begin(), coordinates.begin() + dim};
 }
 
 const std::vector<std::string>& element_names() {

@@ -5,6 +5,12 @@
 
 namespace elastogen::symgen {
 
+/// Linear triangle: nodes at the origin and at 1 on xi, eta.
+[[nodiscard]] Element make_tri3();
+
+/// Bilinear quadrilateral: counter-clockwise from (-1, -1).
+[[nodiscard]] Element make_quad4();
+
 /// Linear tetrahedron: nodes at the origin and at 1 on xi, eta, mu.
 [[nodiscard]] Element make_tet4();
 

@@ -49,15 +49,27 @@ Quadrature five_point_pyramid() {
   return rule;
 }
 
+/// Gradients of linear functions are constant, so polynomial laws are integrated analytically.
+Quadrature exact_on_simplex(const Element& element) {
+  Quadrature rule = named("exact", analytic_rule(element));
+  rule.polynomial_laws_only = true;
+  return rule;
+}
+
 RuleSet make_rules(const Element& element) {
   RuleSet rules;
   switch (element.shape) {
-    case ReferenceShape::tetrahedron: {
-      Quadrature exact = named("exact", analytic_rule(element));
-      exact.polynomial_laws_only = true;
-      rules.offered = {named("q1", tetrahedron_rule(1)), named("q4", tetrahedron_rule(4)), exact};
+    case ReferenceShape::triangle:
+      rules.offered = {named("q1", triangle_rule(1)), named("q3", triangle_rule(3)),
+                       exact_on_simplex(element)};
       break;
-    }
+    case ReferenceShape::quadrilateral:
+      rules.offered = {named("q4", gauss_square(2)), named("q9", gauss_square(3))};
+      break;
+    case ReferenceShape::tetrahedron:
+      rules.offered = {named("q1", tetrahedron_rule(1)), named("q4", tetrahedron_rule(4)),
+                       exact_on_simplex(element)};
+      break;
     case ReferenceShape::hexahedron:
       rules.offered = {named("q8", tensor_product(gauss_square(2), gauss_legendre(2))),
                        named("q27", tensor_product(gauss_square(3), gauss_legendre(3)))};

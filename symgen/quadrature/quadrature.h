@@ -22,6 +22,8 @@ struct Quadrature {
 };
 
 /// Names of the rules offered for an element, coarsest first:
+///   tri3      q1 (degree 1), q3 (degree 2), exact (analytic)
+///   quad4     q4, q9: 2 and 3 Gauss points in each direction (degrees 3 and 5)
 ///   tet4      q1 (degree 1), q4 (degree 2), exact (analytic)
 ///   hexa8     q8, q27: 2 and 3 Gauss points in each direction (degrees 3 and 5)
 ///   prism6    q6: 3-point triangle x 2 Gauss points (degree 2); q21: 7 x 3 (degree 5)

@@ -14,24 +14,32 @@ using GiNaC::numeric;
 /// Integral of x^n over [-1, 1].
 ex interval_moment(int n) { return n % 2 == 0 ? numeric(2, n + 1) : numeric(0); }
 
+/// Integral of x^a y^b over x, y >= 0, x + y <= 1.
+ex triangle_moment(int a, int b) {
+  return factorial(numeric(a)) * factorial(numeric(b)) / factorial(numeric(a + b + 2));
+}
+
 /// Integral of x^a y^b over |x| + |y| <= 1: four times that over the triangle if both are even.
 ex diamond_moment(int a, int b) {
   if (a % 2 != 0 || b % 2 != 0) return 0;
-  return 4 * factorial(numeric(a)) * factorial(numeric(b)) / factorial(numeric(a + b + 2));
+  return 4 * triangle_moment(a, b);
 }
 
-/// Integral of the monomial with these exponents; the pyramid's in conical coordinates (u, v, z),
-/// without their Jacobian.
+/// Integral of the monomial with these exponents (c is 0 in the plane); the pyramid's in conical
+/// coordinates (u, v, z), without their Jacobian.
 ex moment(ReferenceShape shape, int a, int b, int c) {
   switch (shape) {
+    case ReferenceShape::triangle:
+      return triangle_moment(a, b);
+    case ReferenceShape::quadrilateral:
+      return interval_moment(a) * interval_moment(b);
     case ReferenceShape::tetrahedron:
       return factorial(numeric(a)) * factorial(numeric(b)) * factorial(numeric(c)) /
              factorial(numeric(a + b + c + 3));
     case ReferenceShape::hexahedron:
       return interval_moment(a) * interval_moment(b) * interval_moment(c);
     case ReferenceShape::prism:
-      return interval_moment(a) * factorial(numeric(b)) * factorial(numeric(c)) /
-             factorial(numeric(b + c + 2));
+      return interval_moment(a) * triangle_moment(b, c);
     case ReferenceShape::pyramid:
       return diamond_moment(a, b) / (c + 1);
   }
@@ -41,9 +49,8 @@ ex moment(ReferenceShape shape, int a, int b, int c) {
 }  // namespace
 
 ex integrate_over_reference(const Element& element, const ex& function) {
-  const ex x = element.coordinates[0];
-  const ex y = element.coordinates[1];
-  const ex z = element.coordinates[2];
+  const std::vector<GiNaC::symbol> coordinates = reference_coordinates();  // functions in the plane
+  const ex x = coordinates[0], y = coordinates[1], z = coordinates[2];     // do not have the last
   ex polynomial = function;
   if (element.shape == ReferenceShape::pyramid) {
     // The symbols xi and eta now stand for u and v.

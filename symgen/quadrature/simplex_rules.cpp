@@ -26,6 +26,11 @@ void add_vertex_orbit(Quadrature& rule, std::size_t dim, const ex& common, const
 
 Quadrature triangle_rule(int num_points) {
   Quadrature rule;
+  if (num_points == 1) {
+    rule.points = {{numeric(1, 3), numeric(1, 3)}};
+    rule.weights = {numeric(1, 2)};
+    return rule;
+  }
   if (num_points == 3) {
     add_vertex_orbit(rule, 2, numeric(1, 6), numeric(2, 3), numeric(1, 6));
     return rule;

@@ -6,6 +6,7 @@
 namespace elastogen::symgen {
 
 /// Rule on the triangle x, y >= 0, x + y <= 1 (area 1/2):
+///   1 point, the centroid, degree 1;
 ///   3 points, degree 2 (Hammer, Marlowe & Stroud, Numerical integration over simplexes and cones,
 ///   Math. Tables Aids Comput. 10, 1956);
 ///   7 points, degree 5 (Radon, Zur mechanischen Kubatur, Monatsh. Math. 52, 1948).

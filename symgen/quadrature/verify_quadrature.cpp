@@ -27,24 +27,32 @@ bool is_exact(const Element& element, const Quadrature& rule, const ex& function
   return sum == exact_value(integrate_over_reference(element, function));
 }
 
-ex determinant(const std::vector<ex>& a, const std::vector<ex>& b, const std::vector<ex>& c) {
-  const ex value = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-                   a[2] * (b[0] * c[1] - b[1] * c[0]);
-  return value.normal();
+/// Determinant of the gradients of `dim` nodes, one in each row.
+ex gradient_determinant(const std::vector<std::vector<ex>>& gradients,
+                        const std::vector<std::size_t>& nodes) {
+  const auto dim = static_cast<unsigned>(nodes.size());
+  GiNaC::matrix rows(dim, dim);
+  for (unsigned r = 0; r < dim; ++r) {
+    for (unsigned c = 0; c < dim; ++c) rows(r, c) = gradients[nodes[r]][c];
+  }
+  return rows.determinant().normal();
 }
 
-/// det[grad Lambda_a, grad Lambda_b, grad Lambda_c] for all a < b < c, without zeros.
+/// det[grad Lambda_a, grad Lambda_b (, grad Lambda_c)] for all a < b (< c), without zeros.
 std::vector<ex> gradient_determinants(const Element& element) {
   const std::vector<std::vector<ex>> gradients = shape_gradients(element);
   std::vector<ex> determinants;
-  for (std::size_t a = 0; a < gradients.size(); ++a) {
-    for (std::size_t b = a + 1; b < gradients.size(); ++b) {
-      for (std::size_t c = b + 1; c < gradients.size(); ++c) {
-        const ex value = determinant(gradients[a], gradients[b], gradients[c]);
-        if (!value.is_zero()) determinants.push_back(value);
-      }
+  // Every subset of `dim` nodes is one arrangement of the marks.
+  std::vector<bool> chosen(gradients.size(), false);
+  std::fill_n(chosen.begin(), element.dim, true);
+  do {
+    std::vector<std::size_t> nodes;
+    for (std::size_t a = 0; a < chosen.size(); ++a) {
+      if (chosen[a]) nodes.push_back(a);
     }
-  }
+    const ex value = gradient_determinant(gradients, nodes);
+    if (!value.is_zero()) determinants.push_back(value);
+  } while (std::prev_permutation(chosen.begin(), chosen.end()));
   return determinants;
 }
 
@@ -89,23 +97,27 @@ using Vectors = std::vector<std::vector<cln::cl_F>>;  ///< [a][i]
 /// cof(J) grad Lambda_a, that is det J times the gradient in the rest shape, at one point. The
 /// factor does not change the rank and saves the inverse.
 Vectors scaled_rest_gradients(const Vectors& reference, const Vectors& positions) {
-  Vectors jacobian(3, std::vector<cln::cl_F>(3, cln::cl_float(cln::cl_I(0), format)));
+  const std::size_t dim = reference.front().size();
+  Vectors jacobian(dim, std::vector<cln::cl_F>(dim, cln::cl_float(cln::cl_I(0), format)));
   for (std::size_t a = 0; a < reference.size(); ++a) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t i = 0; i < dim; ++i) {
+      for (std::size_t j = 0; j < dim; ++j) {
         jacobian[i][j] = jacobian[i][j] + positions[a][i] * reference[a][j];
       }
     }
   }
-  const auto cofactor = [&](std::size_t i, std::size_t j) {
+  const auto cofactor = [&](std::size_t i, std::size_t j) -> cln::cl_F {
+    if (dim == 2) return i == j ? jacobian[1 - i][1 - j] : -jacobian[1 - i][1 - j];
     const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
     return jacobian[i1][j1] * jacobian[i2][j2] - jacobian[i1][j2] * jacobian[i2][j1];
   };
   Vectors result = reference;
   for (std::size_t a = 0; a < reference.size(); ++a) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      result[a][i] = cofactor(i, 0) * reference[a][0] + cofactor(i, 1) * reference[a][1] +
-                     cofactor(i, 2) * reference[a][2];
+    for (std::size_t i = 0; i < dim; ++i) {
+      result[a][i] = cofactor(i, 0) * reference[a][0];
+      for (std::size_t j = 1; j < dim; ++j) {
+        result[a][i] = result[a][i] + cofactor(i, j) * reference[a][j];
+      }
     }
   }
   return result;
@@ -114,12 +126,12 @@ Vectors scaled_rest_gradients(const Vectors& reference, const Vectors& positions
 }  // namespace
 
 int polynomial_degree(const Element& element, const Quadrature& rule, int limit) {
+  const std::vector<GiNaC::symbol> coordinates = reference_coordinates();
   for (int degree = 0; degree <= limit; ++degree) {
     for (int a = 0; a <= degree; ++a) {
-      for (int b = 0; a + b <= degree; ++b) {
-        const ex monomial = GiNaC::pow(element.coordinates[0], a) *
-                            GiNaC::pow(element.coordinates[1], b) *
-                            GiNaC::pow(element.coordinates[2], degree - a - b);
+      for (int b = element.dim == 2 ? degree - a : 0; a + b <= degree; ++b) {
+        const ex monomial = GiNaC::pow(coordinates[0], a) * GiNaC::pow(coordinates[1], b) *
+                            GiNaC::pow(coordinates[2], degree - a - b);
         if (!is_exact(element, rule, monomial)) return degree - 1;
       }
     }
@@ -163,12 +175,13 @@ int stiffness_rank(const Element& element, const Quadrature& rule,
       reference.push_back(row);
     }
     const Vectors gradient = scaled_rest_gradients(reference, rest);
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = i; j < 3; ++j) {
-        std::vector<cln::cl_F> row(3 * gradient.size(), zero);
+    const auto dim = static_cast<std::size_t>(element.dim);
+    for (std::size_t i = 0; i < dim; ++i) {
+      for (std::size_t j = i; j < dim; ++j) {
+        std::vector<cln::cl_F> row(dim * gradient.size(), zero);
         for (std::size_t a = 0; a < gradient.size(); ++a) {
-          row[3 * a + i] = row[3 * a + i] + gradient[a][j];
-          row[3 * a + j] = row[3 * a + j] + gradient[a][i];
+          row[dim * a + i] = row[dim * a + i] + gradient[a][j];
+          row[dim * a + j] = row[dim * a + j] + gradient[a][i];
         }
         strains.push_back(row);
       }

@@ -19,7 +19,7 @@ namespace elastogen::symgen {
 /// With x = sum of Lambda_b x_b, component i of cof(J) grad Lambda_a is a sum over nodes b, c of
 /// x_b x_c (positions' other two components) times det[grad Lambda_a, grad Lambda_b,
 /// grad Lambda_c]. So it is enough, and necessary, that the determinants of all triples of nodes
-/// are integrated exactly; no position need be chosen.
+/// are integrated exactly; no position need be chosen. In the plane the same holds of pairs.
 [[nodiscard]] bool integrates_shape_gradients(const Element& element, const Quadrature& rule);
 
 /// True if, for all positions of the nodes, the rule integrates Lambda_a det J exactly: nodal
@@ -29,7 +29,8 @@ namespace elastogen::symgen {
 /// Rank of the stiffness matrix at rest of the energy density E:E (small strain) on an element with
 /// the given rest positions [a][i], rational. The weights are positive, so it is the rank of the
 /// strains at all points as functions of the nodal displacements. A rule is sound if it is
-/// num_nodes * 3 - 6: only rigid motions are free. Found in CLN arithmetic of 60 digits.
+/// num_nodes * 3 - 6, in the plane num_nodes * 2 - 3: only rigid motions are free. Found in CLN
+/// arithmetic of 60 digits.
 [[nodiscard]] int stiffness_rank(const Element& element, const Quadrature& rule,
                                  const std::vector<std::vector<GiNaC::ex>>& positions);
 
