@@ -43,17 +43,19 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// "48x8x8"
-std::array<int, 3> parse_cells(const std::string& text) {
+/// "48x8x8", in the plane "48x8"
+std::array<int, 3> parse_cells(const std::string& text, int dim) {
   std::array<int, 3> cells{};
   const char* at = text.data();
   const char* const end = at + text.size();
-  for (std::size_t i = 0; i < 3; ++i) {
+  const auto count = static_cast<std::size_t>(dim);
+  for (std::size_t i = 0; i < count; ++i) {
     const auto [next, error] = std::from_chars(at, end, cells[i]);
-    const bool separated = i < 2 ? next < end && *next == 'x' : next == end;
+    const bool separated = i + 1 < count ? next < end && *next == 'x' : next == end;
     if (error != std::errc() || !separated || cells[i] < 1) {
-      throw InputError(
-          fmt::format("--cells {}: must be cells along x, y and z, as in 48x8x8", text));
+      throw InputError(fmt::format(
+          "--cells {}: must be cells along {}", text,
+          dim == 2 ? "x and y, as in 48x8: the bar is plane" : "x, y and z, as in 48x8x8"));
     }
     at = next + 1;
   }
@@ -67,7 +69,7 @@ Scene read_scene_with_options(const RunOptions& options) {
       throw InputError(fmt::format("--cells {}: the scene {} has no [bar] to divide", options.cells,
                                    options.scene.string()));
     }
-    scene.bar->cells = parse_cells(options.cells);
+    scene.bar->cells = parse_cells(options.cells, scene.dim);
   }
   return scene;
 }
@@ -295,7 +297,7 @@ void add_run_command(CLI::App& app, Context& context) {
       ->type_name("DIR");
   command
       ->add_option("--cells", options->cells,
-                   "Divide the scene's bar differently: NXxNYxNZ, as in 48x8x8")
+                   "Divide the scene's bar differently: NXxNYxNZ, as in 48x8x8; NXxNY in the plane")
       ->type_name("CELLS");
   command->add_flag("--json", options->json, "Print the summary as JSON");
   command->callback([options, &context] {

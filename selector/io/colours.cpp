@@ -39,8 +39,8 @@ std::string sequential_palette() {
 Colour shape_colour(std::string_view element) {
   if (element == "prism6") return {0.00, 0.75, 0.80};
   if (element == "pyramid5") return {0.95, 0.45, 0.70};
-  if (element == "hexa8") return {0.95, 0.75, 0.05};
-  if (element == "tet4") return {0.10, 0.20, 0.75};
+  if (element == "hexa8" || element == "quad4") return {0.95, 0.75, 0.05};
+  if (element == "tet4" || element == "tri3") return {0.10, 0.20, 0.75};
   return {0.4, 0.4, 0.4};
 }
 

@@ -18,7 +18,8 @@ using Colour = std::array<double, 3>;
 /// `sequential_colour` as gnuplot's palette ("defined (...)").
 [[nodiscard]] std::string sequential_palette();
 
-/// Of an element's shape: prisms cyan, pyramids pink, hexahedra yellow, tetrahedra blue (thesis,
+/// Of an element's shape: prisms cyan, pyramids pink, hexahedra and
+/// quadrilaterals yellow, tetrahedra and triangles blue (thesis,
 /// figure 6.17).
 [[nodiscard]] Colour shape_colour(std::string_view element);
 

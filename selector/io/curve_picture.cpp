@@ -10,17 +10,17 @@ namespace {
 std::string data_block(const std::string& name, const DeflectionCurve& curve) {
   std::string text = fmt::format("${} << END\n", name);
   for (std::size_t i = 0; i < curve.size(); ++i) {
-    text += fmt::format("{:.17g} {:.17g}\n", curve.x[i], curve.displacement[i][2]);
+    text += fmt::format("{:.17g} {:.17g}\n", curve.x[i], curve.deflection(i));
   }
   return text + "END\n";
 }
 
-/// 1000 (uz - reference) at the curve's sections.
+/// 1000 (deflection - reference) at the curve's sections.
 DeflectionCurve millimetres_from(const DeflectionCurve& curve, const DeflectionCurve& reference) {
   DeflectionCurve difference = interpolate(reference, curve.x);
   for (std::size_t i = 0; i < curve.size(); ++i) {
-    difference.displacement[i][2] =
-        1000 * (curve.displacement[i][2] - difference.displacement[i][2]);
+    difference.displacement[i][static_cast<std::size_t>(curve.dim - 1)] =
+        1000 * (curve.deflection(i) - difference.deflection(i));
   }
   return difference;
 }
@@ -29,9 +29,11 @@ DeflectionCurve millimetres_from(const DeflectionCurve& curve, const DeflectionC
 
 void draw_curve(const std::filesystem::path& picture, const DeflectionCurve& curve,
                 const std::optional<NamedCurve>& reference, const std::string& title) {
-  std::string script = data_block("curve", curve) +
-                       "set grid lt 1 lw 1 lc rgb '#dddddd'\nset lmargin 11\nset rmargin 3\n"
-                       "set ylabel 'mean u_z of the section [m]'\n";
+  std::string script = data_block("curve", curve);
+  script += fmt::format(
+      "set grid lt 1 lw 1 lc rgb '#dddddd'\nset lmargin 11\nset rmargin 3\n"
+      "set ylabel 'mean {} of the section [m]'\n",
+      curve.deflection_name());
   const std::string own =
       "$curve using 1:2 with linespoints lt 1 lw 2 pt 7 ps 0.6 lc rgb '#1f5fa8' "
       "title 'this run'";

@@ -15,7 +15,8 @@ struct NamedCurve {
   DeflectionCurve curve;
 };
 
-/// Draws uz over x; with a reference, also what is between the two, below, in millimetres.
+/// Draws the deflection over x; with a reference, also what is between the two, below, in
+/// millimetres.
 /// @throws WorkError  as `draw_png`
 void draw_curve(const std::filesystem::path& picture, const DeflectionCurve& curve,
                 const std::optional<NamedCurve>& reference, const std::string& title);

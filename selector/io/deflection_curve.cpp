@@ -14,19 +14,20 @@
 namespace elastogen::selector {
 namespace {
 
-constexpr const char* curve_header = "x,ux,uy,uz";
+const char* curve_header(int dim) { return dim == 2 ? "x,ux,uy" : "x,ux,uy,uz"; }
 
-/// Four numbers separated by commas.
-std::array<double, 4> parse_row(const std::string& line, const std::string& where) {
+/// x and `dim` components, separated by commas; the other components are 0.
+std::array<double, 4> parse_row(const std::string& line, int dim, const std::string& where) {
   std::array<double, 4> row{};
+  const auto count = static_cast<std::size_t>(dim + 1);
   const char* at = line.data();
   const char* const end = line.data() + line.size();
-  for (std::size_t i = 0; i < row.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const auto [next, error] = std::from_chars(at, end, row[i]);
-    const bool separated = i + 1 < row.size() ? next < end && *next == ',' : next == end;
+    const bool separated = i + 1 < count ? next < end && *next == ',' : next == end;
     if (error != std::errc() || !separated || !std::isfinite(row[i])) {
-      throw InputError(fmt::format("{}: '{}': must be four finite numbers separated by commas ({})",
-                                   where, line, curve_header));
+      throw InputError(fmt::format("{}: '{}': must be {} finite numbers separated by commas ({})",
+                                   where, line, dim == 2 ? "three" : "four", curve_header(dim)));
     }
     at = next + 1;
   }
@@ -71,14 +72,16 @@ Eigen::MatrixXd spline_curvatures(const DeflectionCurve& curve) {
 
 DeflectionCurve mean_of_sections(std::span<const double> x,
                                  std::span<const std::vector<std::int32_t>> sections,
-                                 std::span<const double> displacement) {
+                                 std::span<const double> displacement, int dim) {
+  const auto components = static_cast<std::size_t>(dim);
   DeflectionCurve curve;
+  curve.dim = dim;
   curve.x.assign(x.begin(), x.end());
   for (const std::vector<std::int32_t>& nodes : sections) {
     std::array<double, 3> mean{};
     for (const std::int32_t node : nodes) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        mean[c] += displacement[3 * static_cast<std::size_t>(node) + c];
+      for (std::size_t c = 0; c < components; ++c) {
+        mean[c] += displacement[components * static_cast<std::size_t>(node) + c];
       }
     }
     for (double& component : mean) component /= static_cast<double>(nodes.size());
@@ -100,14 +103,15 @@ DeflectionCurve read_curve_csv(const std::filesystem::path& file) {
     if (line.empty() || line.front() == '#') continue;
     const std::string where = fmt::format("{}:{}", file.string(), number);
     if (!header_seen) {
-      if (line != curve_header) {
-        throw InputError(
-            fmt::format("{}: '{}': the header must be '{}'", where, line, curve_header));
+      if (line != curve_header(2) && line != curve_header(3)) {
+        throw InputError(fmt::format("{}: '{}': the header must be '{}', or '{}' of a plane bar",
+                                     where, line, curve_header(3), curve_header(2)));
       }
+      curve.dim = line == curve_header(2) ? 2 : 3;
       header_seen = true;
       continue;
     }
-    const auto [x, ux, uy, uz] = parse_row(line, where);
+    const auto [x, ux, uy, uz] = parse_row(line, curve.dim, where);
     if (!curve.x.empty() && x <= curve.x.back()) {
       throw InputError(fmt::format("{}: x = {}: must be greater than {}, the x before it", where, x,
                                    curve.x.back()));
@@ -117,17 +121,20 @@ DeflectionCurve read_curve_csv(const std::filesystem::path& file) {
   }
   if (curve.size() < 2) {
     throw InputError(fmt::format("{}: {} sections: a curve needs two or more below the header '{}'",
-                                 file.string(), curve.size(), curve_header));
+                                 file.string(), curve.size(), curve_header(curve.dim)));
   }
   return curve;
 }
 
 void write_curve_csv(const std::filesystem::path& file, const DeflectionCurve& curve,
                      const std::string& comment) {
-  std::string text = fmt::format("# {}\n{}\n", comment, curve_header);
+  std::string text = fmt::format("# {}\n{}\n", comment, curve_header(curve.dim));
   for (std::size_t i = 0; i < curve.size(); ++i) {
-    const auto& [ux, uy, uz] = curve.displacement[i];
-    text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g}\n", curve.x[i], ux, uy, uz);
+    text += fmt::format("{:.17g}", curve.x[i]);
+    for (int c = 0; c < curve.dim; ++c) {
+      text += fmt::format(",{:.17g}", curve.displacement[i][static_cast<std::size_t>(c)]);
+    }
+    text += '\n';
   }
   write_text_file(file, text);
 }
@@ -137,6 +144,7 @@ DeflectionCurve interpolate(const DeflectionCurve& curve, std::span<const double
   const double slack = 1e-9 * (curve.x.back() - curve.x.front());
   const Eigen::MatrixXd curvatures = spline_curvatures(curve);
   DeflectionCurve result;
+  result.dim = curve.dim;
   for (const double position : positions) {
     if (!(position >= curve.x.front() - slack && position <= curve.x.back() + slack)) {
       throw InputError(
@@ -165,12 +173,16 @@ DeflectionCurve interpolate(const DeflectionCurve& curve, std::span<const double
 }
 
 CurveDistance distance(const DeflectionCurve& curve, const DeflectionCurve& reference) {
+  if (curve.dim != reference.dim) {
+    throw InputError(fmt::format("the reference curve has the columns '{}', the bar's '{}'",
+                                 curve_header(reference.dim), curve_header(curve.dim)));
+  }
   const DeflectionCurve expected = interpolate(reference, curve.x);
   CurveDistance result;
   for (std::size_t i = 0; i < curve.size(); ++i) {
-    const double difference = curve.displacement[i][2] - expected.displacement[i][2];
-    result.mean_uz += std::abs(difference) / static_cast<double>(curve.size());
-    result.tip_uz = difference;
+    const double difference = curve.deflection(i) - expected.deflection(i);
+    result.mean += std::abs(difference) / static_cast<double>(curve.size());
+    result.tip = difference;
   }
   return result;
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "selector/io/colours.h"
@@ -35,13 +36,17 @@ struct DrawnElement {
   double nearness = 0;
 };
 
-Point point_of(std::span<const double> values, std::int32_t node) {
-  return Eigen::Map<const Point>(&values[3 * static_cast<std::size_t>(node)]);
+/// In space; z = 0 in the plane.
+Point point_of(std::span<const double> values, int dim, std::int32_t node) {
+  Point point = Point::Zero();
+  for (int c = 0; c < dim; ++c) point[c] = values[static_cast<std::size_t>(dim * node + c)];
+  return point;
 }
 
-/// Which nodes lie on the surface: elements without one are hidden.
+/// Which nodes lie on the surface: elements without one are hidden. In the plane nothing is.
 std::vector<bool> nodes_on_surface(const Mesh& mesh) {
-  std::vector<bool> on_surface(mesh.num_nodes(), false);
+  std::vector<bool> on_surface(mesh.num_nodes(), mesh.dim == 2);
+  if (mesh.dim == 2) return on_surface;
   const FaceMatching matching = match_faces(mesh);
   for (const std::size_t i : surface_faces(matching)) {
     for (const std::int32_t node : matching.boundary[i].nodes) {
@@ -67,8 +72,9 @@ std::vector<DrawnElement> drawn_elements(const Mesh& mesh, std::span<const doubl
       DrawnElement element{&element_topology(block.element), {}, {}, 0};
       Point centre = Point::Zero();
       for (const std::int32_t node : nodes) {
-        element.nodes.push_back(point_of(mesh.positions, node) + point_of(displacement, node));
-        element.magnitudes.push_back(point_of(displacement, node).norm());
+        element.nodes.push_back(point_of(mesh.positions, mesh.dim, node) +
+                                point_of(displacement, mesh.dim, node));
+        element.magnitudes.push_back(point_of(displacement, mesh.dim, node).norm());
         centre += element.nodes.back() / static_cast<double>(nodes.size());
       }
       for (Point& node : element.nodes) node = centre + element_shrink * (node - centre);
@@ -91,13 +97,21 @@ void append_polygon(const std::vector<Eigen::Vector2d>& corners, const Colour& c
   data += '\n';
 }
 
+/// What is filled of an element: its faces, of a plane one the whole.
+std::vector<std::vector<int>> polygons(const ElementTopology& topology) {
+  if (topology.dim == 3) return topology.faces;
+  std::vector<int> all(static_cast<std::size_t>(topology.num_nodes));
+  std::iota(all.begin(), all.end(), 0);
+  return {all};
+}
+
 /// The faces of an element that look at the eye: an edge-coloured polygon, and on it a smaller one
 /// filled by the mean displacement, darker the more the face turns away from the light.
 void append_faces(const DrawnElement& element, const Projection& projection, double largest,
                   std::string& data) {
   const Point light =
       (projection.to_eye + 0.8 * projection.up - 0.3 * projection.right).normalized();
-  for (const std::vector<int>& face : element.topology->faces) {
+  for (const std::vector<int>& face : polygons(*element.topology)) {
     std::vector<Eigen::Vector2d> corners;
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
     double magnitude = 0;
@@ -132,7 +146,7 @@ double tick_step(double length) {
 
 /// The box at rest as thin lines, with ticks along its upper x edge at the back, where a body that
 /// hangs down does not cover them, and the other sizes at the end x = least.
-std::string axes_script(const Box& rest, const Projection& projection) {
+std::string axes_script(const Box& rest, int dim, const Projection& projection) {
   std::string script;
   const auto line = [&](const Point& from, const Point& to, const char* colour) {
     const Eigen::Vector2d a = projection(from), b = projection(to);
@@ -144,8 +158,8 @@ std::string axes_script(const Box& rest, const Projection& projection) {
     script += fmt::format("set label {} at {:.6g},{:.6g} {} front\n", gnuplot_quoted(text), at[0],
                           at[1], justification);
   };
-  for (int corner = 0; corner < 8; ++corner) {
-    for (int axis = 0; axis < 3; ++axis) {
+  for (int corner = 0; corner < 1 << dim; ++corner) {
+    for (int axis = 0; axis < dim; ++axis) {
       if (corner >> axis & 1) continue;
       line(rest.corner(static_cast<Box::CornerType>(corner)),
            rest.corner(static_cast<Box::CornerType>(corner | 1 << axis)), "#b0b0b0");
@@ -163,6 +177,11 @@ std::string axes_script(const Box& rest, const Projection& projection) {
   line(back, back + size[0] * Point::UnitX(), "#404040");
   label(back + 0.5 * step * Point::UnitX() + 2.2 * tick * projection.up, "x [m]", "center");
   const Point aside = -0.7 * tick * projection.right;
+  if (dim == 2) {
+    label(low + 0.5 * size[1] * Point::UnitY() + aside, fmt::format("y: {:.4g} m", size[1]),
+          "right");
+    return script;
+  }
   label(low + 0.5 * size[2] * Point::UnitZ() + aside, fmt::format("z: {:.4g} m", size[2]), "right");
   label(low + Point(0, 0.5 * size[1], size[2]) + aside + tick * projection.up,
         fmt::format("y: {:.4g} m", size[1]), "right");
@@ -190,12 +209,15 @@ std::string legend_script(const Mesh& mesh) {
 void draw_deformed(const std::filesystem::path& picture, const Mesh& mesh,
                    std::span<const double> displacement, const std::string& title) {
   const Projection projection =
-      Projection::from_angles(28 * std::numbers::pi / 180, 20 * std::numbers::pi / 180);
+      mesh.dim == 2
+          ? Projection{Point::UnitX(), Point::UnitY(), Point::UnitZ()}
+          : Projection::from_angles(28 * std::numbers::pi / 180, 20 * std::numbers::pi / 180);
   Box rest, whole;
   double largest = 0;
   for (std::size_t i = 0; i < mesh.num_nodes(); ++i) {
     const auto node = static_cast<std::int32_t>(i);
-    const Point at = point_of(mesh.positions, node), moved = point_of(displacement, node);
+    const Point at = point_of(mesh.positions, mesh.dim, node),
+                moved = point_of(displacement, mesh.dim, node);
     rest.extend(at);
     whole.extend(at).extend(at + moved);
     largest = std::max(largest, moved.norm());
@@ -215,7 +237,7 @@ void draw_deformed(const std::filesystem::path& picture, const Mesh& mesh,
     append_faces(element, projection, largest, script);
   }
   script += "END\n";
-  script += axes_script(rest, projection);
+  script += axes_script(rest, mesh.dim, projection);
   const double right = 1 - margin_right / picture_width;
   script += fmt::format(
       "set label {} at screen 0.5, screen {:.5f} center font ',17'\n"

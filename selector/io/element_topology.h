@@ -13,10 +13,12 @@ namespace elastogen::selector {
 struct ElementTopology {
   std::string_view element;  ///< "hexa8"
   std::string_view plural;   ///< "hexahedra", for messages and legends
+  int dim = 3;               ///< 2: plane, `faces` are edges
   int num_nodes = 0;
   int vtk_cell_type = 0;                ///< VTKCellType
   std::vector<int> vtk_order;           ///< local node at each position of the VTK cell
-  std::vector<std::vector<int>> faces;  ///< local nodes, counter-clockwise seen from outside
+  std::vector<std::vector<int>> faces;  ///< local nodes, counter-clockwise seen from outside;
+                                        ///< edges have the element on their left
 };
 
 /// All elements that meshes may hold, in the order of legends.

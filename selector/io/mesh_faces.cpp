@@ -10,7 +10,7 @@
 namespace elastogen::selector {
 namespace {
 
-/// A face's nodes in ascending order; a triangle starts with -1.
+/// A face's nodes in ascending order after -1 for each that it has fewer than four.
 using FaceKey = std::array<std::int32_t, 4>;
 
 FaceKey key_of(const std::vector<std::int32_t>& nodes) {

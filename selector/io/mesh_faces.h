@@ -9,7 +9,7 @@
 
 namespace elastogen::selector {
 
-/// A face of one element.
+/// A face of one element; in the plane an edge.
 struct MeshFace {
   std::size_t block = 0;            ///< index into Mesh::blocks
   std::size_t element = 0;          ///< number within the block

@@ -34,18 +34,21 @@ void add_cells(const Mesh& mesh, vtkUnstructuredGrid& grid) {
   }
 }
 
+/// Tuples of `given` values each, filled up with 0 to `components`.
 vtkNew<vtkDoubleArray> double_array(const std::string& name, std::span<const double> values,
-                                    int components, std::size_t tuples) {
-  if (values.size() != tuples * static_cast<std::size_t>(components)) {
+                                    int given, int components, std::size_t tuples) {
+  if (values.size() != tuples * static_cast<std::size_t>(given)) {
     throw InternalError(fmt::format("result field '{}' has {} numbers for {} x {} of the mesh",
-                                    name, values.size(), tuples, components));
+                                    name, values.size(), tuples, given));
   }
   vtkNew<vtkDoubleArray> array;
   array->SetName(name.c_str());
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+  array->Fill(0);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    array->SetValue(static_cast<vtkIdType>(i), values[i]);
+    const auto each = static_cast<std::size_t>(given);
+    array->SetComponent(static_cast<vtkIdType>(i / each), static_cast<int>(i % each), values[i]);
   }
   return array;
 }
@@ -69,23 +72,24 @@ void add_labels(const ElementLabels& labels, std::size_t num_elements, vtkUnstru
 }  // namespace
 
 void write_vtu(const std::filesystem::path& file, const Mesh& mesh, const VtuFields& fields) {
-  if (mesh.dim != 3) {
-    throw InternalError(fmt::format("result files hold 3D meshes, not {}D ones", mesh.dim));
-  }
+  const auto dim = static_cast<std::size_t>(mesh.dim);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.num_nodes()));
   for (std::size_t i = 0; i < mesh.num_nodes(); ++i) {
-    points->SetPoint(static_cast<vtkIdType>(i), &mesh.positions[3 * i]);
+    const std::span<const double> at(&mesh.positions[dim * i], dim);
+    points->SetPoint(static_cast<vtkIdType>(i), at[0], at[1], dim == 3 ? at[2] : 0.0);
   }
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(points);
   add_cells(mesh, *grid);
   for (const NodeField& field : fields.nodes) {
-    grid->GetPointData()->AddArray(double_array(field.name, field.values, 3, mesh.num_nodes()));
+    grid->GetPointData()->AddArray(
+        double_array(field.name, field.values, mesh.dim, 3, mesh.num_nodes()));
   }
   for (const ElementField& field : fields.elements) {
-    grid->GetCellData()->AddArray(double_array(field.name, field.values, 1, mesh.num_elements()));
+    grid->GetCellData()->AddArray(
+        double_array(field.name, field.values, 1, 1, mesh.num_elements()));
   }
   for (const ElementLabels& labels : fields.labels) {
     add_labels(labels, mesh.num_elements(), *grid);

@@ -11,7 +11,7 @@
 
 namespace elastogen::selector {
 
-/// A quantity per node, 3 components each: values[3 * node + component].
+/// A quantity per node: values[dim * node + component]; in a plane file the third component is 0.
 struct NodeField {
   std::string name;
   std::span<const double> values;

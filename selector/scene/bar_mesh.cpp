@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "runtime/error.h"
 #include "selector/io/element_topology.h"
@@ -60,21 +61,17 @@ class BarGrid {
            static_cast<std::size_t>(j) * static_cast<std::size_t>(cells_[2]) +
            static_cast<std::size_t>(k);
   }
-  /// Corners in hexa8 order, then the centre (which exists only in layers that have centres).
-  [[nodiscard]] std::array<std::int32_t, 9> cell_nodes(int i, int j, int k) const {
-    const std::array<std::size_t, 9> nodes = {grid_node(i, j, k),
-                                              grid_node(i + 1, j, k),
-                                              grid_node(i + 1, j + 1, k),
-                                              grid_node(i, j + 1, k),
-                                              grid_node(i, j, k + 1),
-                                              grid_node(i + 1, j, k + 1),
-                                              grid_node(i + 1, j + 1, k + 1),
-                                              grid_node(i, j + 1, k + 1),
-                                              centre_node(i, j, k)};
-    std::array<std::int32_t, 9> narrow{};
-    std::transform(nodes.begin(), nodes.end(), narrow.begin(),
-                   [](std::size_t node) { return static_cast<std::int32_t>(node); });
-    return narrow;
+  /// Corners in hexa8 order, then the centre (which exists only in layers that have centres); in
+  /// the plane, corners in quad4 order.
+  [[nodiscard]] std::vector<std::int32_t> cell_nodes(int i, int j, int k) const {
+    std::vector<std::size_t> nodes;
+    const int last = cells_[2] == 0 ? k : k + 1;
+    for (int level = k; level <= last; ++level) {
+      nodes.insert(nodes.end(), {grid_node(i, j, level), grid_node(i + 1, j, level),
+                                 grid_node(i + 1, j + 1, level), grid_node(i, j + 1, level)});
+    }
+    nodes.push_back(centre_node(i, j, k));
+    return {nodes.begin(), nodes.end()};
   }
 
  private:
@@ -87,14 +84,15 @@ class BarGrid {
 /// Coordinates in halves of cells, so that centres have whole numbers, too.
 void set_position(const BarDescription& bar, std::array<int, 3> halves, std::size_t node,
                   Mesh& mesh) {
-  for (std::size_t c = 0; c < 3; ++c) {
-    mesh.positions[3 * node + c] = bar.size[c] * halves[c] / (2.0 * bar.cells[c]);
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  for (std::size_t c = 0; c < dim; ++c) {
+    mesh.positions[dim * node + c] = bar.size[c] * halves[c] / (2.0 * bar.cells[c]);
   }
 }
 
 void set_positions(const BarDescription& bar, const BarGrid& grid,
                    const std::vector<bool>& layer_has_centres, Mesh& mesh) {
-  mesh.positions.resize(3 * grid.num_nodes());
+  mesh.positions.resize(static_cast<std::size_t>(mesh.dim) * grid.num_nodes());
   const auto& [nx, ny, nz] = bar.cells;
   for (int i = 0; i <= nx; ++i) {
     for (int j = 0; j <= ny; ++j) {
@@ -120,8 +118,8 @@ ElementBlock cut_layers(const BarDescription& bar, const BarGrid& grid, const st
   block.nodes_per_element = element_topology(element).num_nodes;
   for (int i = first; i < last; ++i) {
     for (int j = 0; j < bar.cells[1]; ++j) {
-      for (int k = 0; k < bar.cells[2]; ++k) {
-        const std::array<std::int32_t, 9> cell = grid.cell_nodes(i, j, k);
+      for (int k = 0; k < std::max(bar.cells[2], 1); ++k) {
+        const std::vector<std::int32_t> cell = grid.cell_nodes(i, j, k);
         for (const std::vector<int>& nodes : cut.elements) {
           for (const int node : nodes) block.nodes.push_back(cell[static_cast<std::size_t>(node)]);
           block.region.push_back(region);
@@ -138,10 +136,9 @@ void check_size(const BarDescription& bar) {
   for (const int cells : bar.cells) nodes *= cells + 1.0;
   constexpr double most = std::numeric_limits<std::int32_t>::max() / 3.0;
   if (nodes > most) {
-    throw InputError(
-        fmt::format("{}: bar.cells = [{}, {}, {}]: too many for node numbers of 32 "
-                    "bits: take fewer",
-                    bar.cells_where, bar.cells[0], bar.cells[1], bar.cells[2]));
+    throw InputError(fmt::format(
+        "{}: bar.cells = [{}]: too many for node numbers of 32 bits: take fewer", bar.cells_where,
+        fmt::join(std::span(bar.cells).first(bar.cells[2] > 0 ? 3 : 2), ", ")));
   }
 }
 
@@ -161,6 +158,7 @@ SceneMesh make_bar(const BarDescription& bar) {
 
   const BarGrid grid(bar, layer_has_centres);
   SceneMesh result;
+  result.mesh.dim = bar.cells[2] > 0 ? 3 : 2;
   set_positions(bar, grid, layer_has_centres, result.mesh);
   int first = 0;
   for (std::size_t s = 0; s < bar.sections.size(); ++s) {

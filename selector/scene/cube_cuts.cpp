@@ -52,6 +52,8 @@ CubeCut cut_into_pyramids() {
 
 const CubeCut& cube_cut(const std::string& element) {
   static const std::map<std::string, CubeCut> cuts = {
+      {"tri3", {{{0, 1, 2}, {0, 2, 3}}, false}},
+      {"quad4", {{{0, 1, 2, 3}}, false}},
       {"hexa8", {{{0, 1, 2, 3, 4, 5, 6, 7}}, false}},
       {"prism6", {{{0, 1, 2, 4, 5, 6}, {0, 2, 3, 4, 6, 7}}, false}},
       {"pyramid5", cut_into_pyramids()},
@@ -59,9 +61,11 @@ const CubeCut& cube_cut(const std::string& element) {
   };
   const auto cut = cuts.find(element);
   if (cut == cuts.end()) {
-    throw InputError(fmt::format(
-        "the cells of a bar cannot be cut into '{}': hexa8, prism6, pyramid5 and tet4 are possible",
-        element));
+    throw InputError(
+        fmt::format("the cells of a bar cannot be cut into '{}': tri3 and quad4 in the plane, and "
+                    "hexa8, prism6, "
+                    "pyramid5 and tet4 are possible",
+                    element));
   }
   return cut->second;
 }

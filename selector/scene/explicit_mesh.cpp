@@ -67,10 +67,10 @@ void check_faces(const ExplicitMeshDescription& description, const Mesh& mesh,
   const MeshFace& face = matching.overused.front();
   std::size_t element = face.element;
   for (std::size_t b = 0; b < face.block; ++b) element += mesh.blocks[b].num_elements();
-  throw InputError(
-      fmt::format("{}: mesh: the face with nodes {} of element {} belongs to more than "
-                  "two elements: elements overlap",
-                  description.where, fmt::join(face.nodes, " "), element));
+  throw InputError(fmt::format(
+      "{}: mesh: the {} with nodes {} of element {} belongs to more than "
+      "two elements: elements overlap",
+      description.where, mesh.dim == 2 ? "edge" : "face", fmt::join(face.nodes, " "), element));
 }
 
 }  // namespace
@@ -78,6 +78,7 @@ void check_faces(const ExplicitMeshDescription& description, const Mesh& mesh,
 SceneMesh make_explicit_mesh(const ExplicitMeshDescription& description) {
   SceneMesh result;
   Mesh& mesh = result.mesh;
+  mesh.dim = element_topology(description.blocks.front().association.element).dim;
   for (const std::vector<double>& node : description.nodes) {
     mesh.positions.insert(mesh.positions.end(), node.begin(), node.end());
   }

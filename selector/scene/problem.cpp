@@ -74,7 +74,7 @@ Constraints make_constraints(const Scene& scene, const Mesh& mesh) {
   Constraints constraints(mesh.num_nodes(), mesh.dim);
   for (const ConstraintDescription& description : scene.constraints) {
     for (const std::int32_t node : select_nodes(mesh, description.nodes)) {
-      for (int c = 0; c < 3; ++c) {
+      for (int c = 0; c < mesh.dim; ++c) {
         const std::optional<double>& value = description.displacement[static_cast<std::size_t>(c)];
         if (!value) continue;
         with_location(description.nodes.where, "constraint",
@@ -88,7 +88,8 @@ Constraints make_constraints(const Scene& scene, const Mesh& mesh) {
 void check_held(const Scene& scene, const Mesh& mesh, const Constraints& constraints) {
   const std::string remedy =
       "fix enough with [[constraint]], for instance a whole face: "
-      "plane = { x = 0 }, fixed = [\"x\", \"y\", \"z\"]";
+      "plane = { x = 0 }, fixed = " +
+      std::string(mesh.dim == 2 ? "[\"x\", \"y\"]" : "[\"x\", \"y\", \"z\"]");
   if (constraints.num_constrained() == 0) {
     throw InputError(fmt::format("{}: nothing is fixed, statics has no answer: {}",
                                  scene.file.string(), remedy));
@@ -96,9 +97,10 @@ void check_held(const Scene& scene, const Mesh& mesh, const Constraints& constra
   const FreeRigidMotion motion = find_free_rigid_motion(mesh, constraints);
   if (motion.count > 0) {
     throw InputError(fmt::format(
-        "{}: the constraints leave {} of the 6 rigid motions of {}, for example {}: statics has no "
+        "{}: the constraints leave {} of the {} rigid motions of {}, for example {}: statics has "
+        "no "
         "answer; {}",
-        scene.file.string(), motion.count,
+        scene.file.string(), motion.count, mesh.dim == 2 ? 3 : 6,
         motion.num_parts == 1 ? "the body"
                               : fmt::format("the part with node {} (the mesh has {} parts)",
                                             motion.node, motion.num_parts),
@@ -124,7 +126,9 @@ std::optional<DeflectionCurve> read_reference(const Scene& scene, const SceneMes
   if (!scene.reference) return std::nullopt;
   return with_location(scene.reference->where, "reference.file", [&] {
     DeflectionCurve curve = read_curve_csv(scene.reference->file);
-    (void)interpolate(curve, mesh.section_x);
+    DeflectionCurve sections{mesh.mesh.dim, mesh.section_x, {}};
+    sections.displacement.resize(sections.size());
+    (void)distance(sections, curve);
     return std::optional(std::move(curve));
   });
 }

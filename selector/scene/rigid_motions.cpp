@@ -46,22 +46,33 @@ std::string describe(const RigidMotion& motion) {
   return fmt::format("{} along {}", rotates ? "a rotation about an axis" : "a translation", along);
 }
 
+/// In space; z = 0 in the plane.
+Eigen::Vector3d position_of(const Mesh& mesh, std::size_t node) {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  for (std::size_t c = 0; c < dim; ++c) {
+    position[static_cast<Eigen::Index>(c)] = mesh.positions[dim * node + c];
+  }
+  return position;
+}
+
 /// Sum over a part's constrained degrees of freedom of m m^T, m its share in the six motions.
 /// Lengths are taken from the part's middle and in units of its size, so that translations and
-/// rotations compare.
+/// rotations compare. What would leave the plane of a plane mesh counts as held.
 Eigen::Matrix<double, 6, 6> constrained_gram(const Mesh& mesh, const Constraints& constraints,
                                              const std::vector<std::size_t>& nodes) {
+  const auto dim = static_cast<std::size_t>(mesh.dim);
   Eigen::AlignedBox3d box;
   for (const std::size_t node : nodes) {
-    box.extend(Eigen::Map<const Eigen::Vector3d>(&mesh.positions[3 * node]));
+    box.extend(position_of(mesh, node));
   }
   const double size = box.diagonal().norm();
   Eigen::Matrix<double, 6, 6> gram = Eigen::Matrix<double, 6, 6>::Zero();
+  if (mesh.dim == 2) gram.diagonal() << 0, 0, 1, 1, 1, 0;
   for (const std::size_t node : nodes) {
-    const Eigen::Vector3d arm =
-        (Eigen::Map<const Eigen::Vector3d>(&mesh.positions[3 * node]) - box.center()) / size;
-    for (int c = 0; c < 3; ++c) {
-      if (!constraints.is_constrained(3 * node + static_cast<std::size_t>(c))) continue;
+    const Eigen::Vector3d arm = (position_of(mesh, node) - box.center()) / size;
+    for (int c = 0; c < mesh.dim; ++c) {
+      if (!constraints.is_constrained(dim * node + static_cast<std::size_t>(c))) continue;
       RigidMotion share;
       share.head<3>() = Eigen::Vector3d::Unit(c);
       share.tail<3>() = arm.cross(Eigen::Vector3d::Unit(c));

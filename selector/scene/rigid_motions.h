@@ -17,9 +17,9 @@ struct FreeRigidMotion {
   std::size_t node = 0;       ///< some node of the part that is free
 };
 
-/// Looks at every connected part of the mesh: the six rigid motions of a part, restricted to its
-/// constrained degrees of freedom, must be linearly independent. The first part that is not held
-/// is reported.
+/// Looks at every connected part of the mesh: the six rigid motions of a part (three in the plane),
+/// restricted to its constrained degrees of freedom, must be linearly independent. The first part
+/// that is not held is reported.
 [[nodiscard]] FreeRigidMotion find_free_rigid_motion(const Mesh& mesh,
                                                      const Constraints& constraints);
 

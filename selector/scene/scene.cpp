@@ -4,16 +4,24 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 
 #include "runtime/error.h"
 #include "selector/scene/located_error.h"
+#include "selector/support/names.h"
 
 namespace elastogen::selector {
 namespace {
 
-const std::vector<std::string> axes = {"x", "y", "z"};
+std::vector<std::string> axes_of(int dim) {
+  std::vector<std::string> axes = {"x", "y", "z"};
+  axes.resize(static_cast<std::size_t>(dim));
+  return axes;
+}
 
-std::size_t axis_number(const std::string& axis) {
+/// `axes_of(dim).size()` for what is no axis.
+std::size_t axis_number(const std::string& axis, int dim) {
+  const std::vector<std::string> axes = axes_of(dim);
   return static_cast<std::size_t>(std::find(axes.begin(), axes.end(), axis) - axes.begin());
 }
 
@@ -27,60 +35,83 @@ symgen::AssociationId read_association(const TomlTable& table) {
                        [&] { return symgen::AssociationId::parse(text); });
 }
 
-NodeSelection read_plane(const TomlTable& plane) {
-  plane.allow_only(axes);
+NodeSelection read_plane(const TomlTable& plane, int dim) {
+  plane.allow_only(axes_of(dim));
   const std::vector<std::string> keys = plane.keys();
-  if (keys.size() != 1) plane.fail("must give one of x, y, z: { x = 0 }");
+  if (keys.size() != 1)
+    plane.fail(fmt::format("must give one of {}: {{ x = 0 }}", join(axes_of(dim), ", ")));
   constexpr double inf = no_limit;
   NodeSelection nodes{plane.where(), "", {-inf, -inf, -inf}, {inf, inf, inf}};
-  const std::size_t axis = axis_number(keys.front());
+  const std::size_t axis = axis_number(keys.front(), dim);
   nodes.minimum[axis] = nodes.maximum[axis] = plane.number(keys.front(), any_number);
   nodes.description = fmt::format("plane {} = {}", keys.front(), nodes.minimum[axis]);
   return nodes;
 }
 
-NodeSelection read_box(const TomlTable& box) {
+NodeSelection read_box(const TomlTable& box, int dim) {
   box.allow_only({"min", "max"});
-  NodeSelection nodes{box.where(), "", box.vector("min"), box.vector("max")};
-  for (std::size_t i = 0; i < 3; ++i) {
+  NodeSelection nodes{box.where(), "", box.vector("min", dim), box.vector("max", dim)};
+  const auto used = static_cast<std::size_t>(dim);
+  for (std::size_t i = 0; i < used; ++i) {
     if (nodes.minimum[i] > nodes.maximum[i]) {
-      box.fail("min", fmt::format("must not exceed max; along {} it does: {} > {}", axes[i],
+      box.fail("min", fmt::format("must not exceed max; along {} it does: {} > {}", axes_of(dim)[i],
                                   nodes.minimum[i], nodes.maximum[i]));
     }
   }
   nodes.description =
-      fmt::format("box [{}, {}, {}] to [{}, {}, {}]", nodes.minimum[0], nodes.minimum[1],
-                  nodes.minimum[2], nodes.maximum[0], nodes.maximum[1], nodes.maximum[2]);
+      fmt::format("box [{}] to [{}]", fmt::join(std::span(nodes.minimum).first(used), ", "),
+                  fmt::join(std::span(nodes.maximum).first(used), ", "));
+  if (dim == 2) {
+    nodes.minimum[2] = -no_limit;
+    nodes.maximum[2] = no_limit;
+  }
   return nodes;
 }
 
-NodeSelection read_selection(const TomlTable& table) {
+NodeSelection read_selection(const TomlTable& table, int dim) {
   if (table.has("plane") == table.has("box")) {
-    table.fail(
-        "needs either plane = { x = 0 } or box = { min = [0, 0, 0], max = [1, 1, 1] } "
-        "to select nodes");
+    table.fail(fmt::format(
+        "needs either plane = {{ x = 0 }} or box = {} to select nodes",
+        dim == 2 ? "{ min = [0, 0], max = [1, 1] }" : "{ min = [0, 0, 0], max = [1, 1, 1] }"));
   }
-  return table.has("plane") ? read_plane(table.table("plane")) : read_box(table.table("box"));
+  return table.has("plane") ? read_plane(table.table("plane"), dim)
+                            : read_box(table.table("box"), dim);
 }
 
-SectionDescription read_section(const TomlTable& table) {
+/// Plane elements belong into plane scenes, the others into space.
+void check_dimension(const TomlTable& table, const symgen::AssociationId& association, int dim) {
+  const int found = symgen::find_element(association.element).dim;
+  if (found == dim) return;
+  std::vector<std::string> possible;
+  for (const std::string& name : symgen::element_names()) {
+    if (symgen::find_element(name).dim == dim) possible.push_back(name);
+  }
+  table.fail("association",
+             fmt::format("element '{}' is {}, but the scene is {} (a bar with a width is in "
+                         "space, one without is plane; a mesh is as its first block): take {}",
+                         association.element, found == 2 ? "plane" : "three-dimensional",
+                         dim == 2 ? "plane" : "in space", join(possible, ", ")));
+}
+
+SectionDescription read_section(const TomlTable& table, int dim) {
   table.allow_only({"until", "association", "region"});
   SectionDescription section;
   section.path = table.path();
   section.until = table.number("until", {0, 1, true, false});
   section.until_where = table.where("until");
   section.association = read_association(table);
+  check_dimension(table, section.association, dim);
   section.association_where = table.where("association");
   section.region = table.string("region");
   section.region_where = table.where("region");
   return section;
 }
 
-std::vector<SectionDescription> read_sections(const TomlTable& bar) {
+std::vector<SectionDescription> read_sections(const TomlTable& bar, int dim) {
   std::vector<SectionDescription> sections;
   double before = 0;
   for (const TomlTable& table : bar.tables("section")) {
-    sections.push_back(read_section(table));
+    sections.push_back(read_section(table, dim));
     if (sections.back().until <= before) {
       table.fail("until",
                  fmt::format("must be greater than {}, where the section before it ends", before));
@@ -94,41 +125,46 @@ std::vector<SectionDescription> read_sections(const TomlTable& bar) {
   return sections;
 }
 
-BarDescription read_bar(const TomlTable& table) {
+BarDescription read_bar(const TomlTable& table, int dim) {
   table.allow_only({"length", "width", "height", "cells", "section"});
   BarDescription bar;
-  bar.size = {table.number("length", positive_number), table.number("width", positive_number),
-              table.number("height", positive_number)};
-  const std::vector<int> cells = table.integers("cells", 3, 1);
-  bar.cells = {cells[0], cells[1], cells[2]};
+  const double length = table.number("length", positive_number);
+  const double height = table.number("height", positive_number);
+  if (dim == 2) {
+    bar.size = {length, height, 0};
+  } else {
+    bar.size = {length, table.number("width", positive_number), height};
+  }
+  const std::vector<int> cells = table.integers("cells", static_cast<std::size_t>(dim), 1);
+  std::copy(cells.begin(), cells.end(), bar.cells.begin());
   bar.cells_where = table.where("cells");
-  bar.sections = read_sections(table);
+  bar.sections = read_sections(table, dim);
   return bar;
 }
 
-BlockDescription read_block(const TomlTable& table) {
+BlockDescription read_block(const TomlTable& table, int dim) {
   table.allow_only({"association", "region", "elements"});
   BlockDescription block;
   block.path = table.path();
   block.association = read_association(table);
+  check_dimension(table, block.association, dim);
   block.association_where = table.where("association");
   block.region = table.string("region");
   block.region_where = table.where("region");
-  const auto num_nodes = with_location(block.association_where, table.path_of("association"), [&] {
-    return symgen::find_element(block.association.element).num_nodes();
-  });
+  const int num_nodes = symgen::find_element(block.association.element).num_nodes();
   block.elements_where = table.where("elements");
   block.elements = table.integer_rows("elements", static_cast<std::size_t>(num_nodes));
   if (block.elements.empty()) table.fail("elements", "must have one element or more");
   return block;
 }
 
-ExplicitMeshDescription read_mesh(const TomlTable& table) {
+ExplicitMeshDescription read_mesh(const TomlTable& table, int dim) {
   table.allow_only({"nodes", "block"});
   ExplicitMeshDescription mesh;
   mesh.where = table.where();
-  mesh.nodes = table.rows("nodes", 3);
-  for (const TomlTable& block : table.tables("block")) mesh.blocks.push_back(read_block(block));
+  mesh.nodes = table.rows("nodes", static_cast<std::size_t>(dim));
+  for (const TomlTable& block : table.tables("block"))
+    mesh.blocks.push_back(read_block(block, dim));
   if (mesh.blocks.empty()) table.fail("has no elements: add at least one [[mesh.block]]");
   return mesh;
 }
@@ -150,23 +186,25 @@ std::vector<MaterialDescription> read_materials(const TomlTable& materials) {
   return found;
 }
 
-ConstraintDescription read_constraint(const TomlTable& table) {
+ConstraintDescription read_constraint(const TomlTable& table, int dim) {
   table.allow_only({"plane", "box", "fixed", "displacement"});
   ConstraintDescription constraint;
-  constraint.nodes = read_selection(table);
+  constraint.nodes = read_selection(table, dim);
   if (table.has("fixed")) {
     for (const std::string& axis : table.strings("fixed")) {
-      if (axis_number(axis) == axes.size()) {
-        table.fail("fixed", fmt::format("'{}' is no component: x, y, z are", axis));
+      if (axis_number(axis, dim) == axes_of(dim).size()) {
+        table.fail("fixed",
+                   fmt::format("'{}' is no component: {} are{}", axis, join(axes_of(dim), ", "),
+                               dim == 2 ? " in a plane scene" : ""));
       }
-      constraint.displacement[axis_number(axis)] = 0;
+      constraint.displacement[axis_number(axis, dim)] = 0;
     }
   }
   if (table.has("displacement")) {
     const TomlTable displacement = table.table("displacement");
-    displacement.allow_only(axes);
+    displacement.allow_only(axes_of(dim));
     for (const std::string& axis : displacement.keys()) {
-      std::optional<double>& component = constraint.displacement[axis_number(axis)];
+      std::optional<double>& component = constraint.displacement[axis_number(axis, dim)];
       if (component) displacement.fail(axis, "this component stands in 'fixed', too");
       component = displacement.number(axis, any_number);
     }
@@ -174,17 +212,18 @@ ConstraintDescription read_constraint(const TomlTable& table) {
   const auto& components = constraint.displacement;
   if (std::none_of(components.begin(), components.end(), [](const auto& c) { return !!c; })) {
     table.fail(
-        "constrains nothing: give fixed = [\"x\", \"y\", \"z\"] or displacement = { z = 1 }");
+        fmt::format("constrains nothing: give fixed = [\"{}\"] or displacement = {{ y = 1 }}",
+                    join(axes_of(dim), "\", \"")));
   }
   return constraint;
 }
 
-LoadDescription read_load(const TomlTable& table) {
+LoadDescription read_load(const TomlTable& table, int dim) {
   table.allow_only({"plane", "box", "force"});
-  return {read_selection(table), table.vector("force")};
+  return {read_selection(table, dim), table.vector("force", dim)};
 }
 
-std::vector<ProbeDescription> read_probes(const TomlTable& scene) {
+std::vector<ProbeDescription> read_probes(const TomlTable& scene, int dim) {
   std::vector<ProbeDescription> probes;
   for (const TomlTable& table : scene.tables("probe")) {
     table.allow_only({"name", "plane", "box"});
@@ -192,7 +231,7 @@ std::vector<ProbeDescription> read_probes(const TomlTable& scene) {
     for (const ProbeDescription& probe : probes) {
       if (probe.name == name) table.fail("name", "another probe has this name");
     }
-    probes.push_back({name, read_selection(table)});
+    probes.push_back({name, read_selection(table, dim)});
   }
   return probes;
 }
@@ -230,6 +269,13 @@ OutputSettings read_output(const TomlTable& table, bool has_curve) {
   return output;
 }
 
+/// A bar without width is plane, a mesh is what its first block is.
+int dimension_of(const TomlTable& scene) {
+  if (scene.has("bar")) return scene.table("bar").has("width") ? 3 : 2;
+  const std::vector<TomlTable> blocks = scene.table("mesh").tables("block");
+  return blocks.empty() ? 3 : symgen::find_element(read_association(blocks[0]).element).dim;
+}
+
 ReferenceDescription read_reference(const TomlTable& table) {
   table.allow_only({"file", "label"});
   return {table.where("file"), beside_scene(table, table.string("file")),
@@ -254,23 +300,24 @@ Scene read_scene(const std::filesystem::path& file) {
       }
     }
   }
-  if (table.has("gravity")) scene.gravity = table.vector("gravity");
-
   if (table.has("bar") == table.has("mesh")) {
     table.fail("a scene needs either a [bar] or a [mesh], and not both");
   }
-  if (table.has("bar")) scene.bar = read_bar(table.table("bar"));
-  if (table.has("mesh")) scene.mesh = read_mesh(table.table("mesh"));
+  scene.dim = dimension_of(table);
+  if (table.has("bar")) scene.bar = read_bar(table.table("bar"), scene.dim);
+  if (table.has("mesh")) scene.mesh = read_mesh(table.table("mesh"), scene.dim);
+  if (table.has("gravity")) scene.gravity = table.vector("gravity", scene.dim);
   if (!table.has("material")) {
     table.fail("there is no material: add [material.NAME] with density, young and poisson");
   }
   scene.materials = read_materials(table.table("material"));
 
   for (const TomlTable& constraint : table.tables("constraint")) {
-    scene.constraints.push_back(read_constraint(constraint));
+    scene.constraints.push_back(read_constraint(constraint, scene.dim));
   }
-  for (const TomlTable& load : table.tables("load")) scene.loads.push_back(read_load(load));
-  scene.probes = read_probes(table);
+  for (const TomlTable& load : table.tables("load"))
+    scene.loads.push_back(read_load(load, scene.dim));
+  scene.probes = read_probes(table, scene.dim);
   if (table.has("solver")) scene.solver = read_solver(table.table("solver"));
   scene.output.curve = scene.bar.has_value();
   if (table.has("output")) {

@@ -15,9 +15,10 @@ namespace elastogen::selector {
 
 /// Nodes by position: those inside a box, limits included. A plane is a box without thickness.
 struct NodeSelection {
-  std::string where;                           ///< "scene.toml:14", for messages
-  std::string description;                     ///< "plane x = 8"
-  std::array<double, 3> minimum{}, maximum{};  ///< metres; infinite where not limited
+  std::string where;        ///< "scene.toml:14", for messages
+  std::string description;  ///< "plane x = 8"
+  std::array<double, 3> minimum{},
+      maximum{};  ///< metres; infinite where not limited (z in the plane)
 };
 
 /// A part of a bar along x, cut into elements of one kind.
@@ -32,10 +33,11 @@ struct SectionDescription {
 };
 
 /// A bar [0, length] x [0, width] x [0, height], divided into a grid of cells that every section
-/// cuts into its elements (thesis, section 5.3 and codes 19 and 23).
+/// cuts into its elements (thesis, section 5.3 and codes 19 and 23). A bar without width is plane:
+/// [0, length] x [0, height].
 struct BarDescription {
-  std::array<double, 3> size{};  ///< length, width, height: along x, y, z [m]
-  std::array<int, 3> cells{};    ///< along x, y, z
+  std::array<double, 3> size{};  ///< length, width, height along x, y, z; or length, height, 0 [m]
+  std::array<int, 3> cells{};    ///< along x, y, z; 0 along z in the plane
   std::string cells_where;
   std::vector<SectionDescription> sections;
 };
@@ -53,7 +55,7 @@ struct BlockDescription {
 
 struct ExplicitMeshDescription {
   std::string where;
-  std::vector<std::vector<double>> nodes;  ///< three coordinates each
+  std::vector<std::vector<double>> nodes;  ///< coordinates, Scene::dim of each
   std::vector<BlockDescription> blocks;
 };
 
@@ -106,6 +108,7 @@ struct Scene {
   std::filesystem::path file;
   std::string title;
   std::vector<std::filesystem::path> law_files;
+  int dim = 3;  ///< 2: a plane scene, in plane strain; vectors have a last component of 0
   std::array<double, 3> gravity{};
   std::optional<BarDescription> bar;  ///< a scene has either a bar or a mesh
   std::optional<ExplicitMeshDescription> mesh;

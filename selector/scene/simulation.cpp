@@ -9,12 +9,12 @@ std::span<const double> values_of(const Vector& vector) {
   return {vector.data(), static_cast<std::size_t>(vector.size())};
 }
 
-ProbeResult evaluate_probe(const Probe& probe, const Vector& displacement,
+ProbeResult evaluate_probe(const Probe& probe, std::size_t dim, const Vector& displacement,
                            const Vector& reactions) {
   ProbeResult result{probe.name, probe.nodes.size(), {}, {}};
   for (const std::int32_t node : probe.nodes) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto dof = static_cast<Eigen::Index>(3 * static_cast<std::size_t>(node) + c);
+    for (std::size_t c = 0; c < dim; ++c) {
+      const auto dof = static_cast<Eigen::Index>(dim * static_cast<std::size_t>(node) + c);
       result.displacement[c] += displacement[dof] / static_cast<double>(probe.nodes.size());
       result.reaction[c] += reactions[dof];
     }
@@ -50,8 +50,11 @@ Model make_model(const Problem& problem, std::span<const KernelTable<double>* co
 
 Vector make_load(const Scene& scene, const Problem& problem, const Model& model) {
   Vector load = Vector::Zero(static_cast<Eigen::Index>(model.num_dofs()));
-  add_gravity(model, scene.gravity, load);
-  for (const NodalForce& force : problem.forces) add_nodal_force(force.node, force.force, load);
+  const auto dim = static_cast<std::size_t>(model.dim());
+  add_gravity(model, std::span(scene.gravity).first(dim), load);
+  for (const NodalForce& force : problem.forces) {
+    add_nodal_force(force.node, std::span(force.force).first(dim), load);
+  }
   return load;
 }
 
@@ -61,12 +64,13 @@ SceneResults collect_results(const Problem& problem, Model& model, NewtonResult 
   model.element_energies(displacement, results.energy_density);
   const std::span<const double> volumes = model.element_volumes();
   for (std::size_t e = 0; e < volumes.size(); ++e) results.energy_density[e] /= volumes[e];
+  const auto dim = static_cast<std::size_t>(model.dim());
   for (const Probe& probe : problem.probes) {
-    results.probes.push_back(evaluate_probe(probe, displacement, newton.reactions));
+    results.probes.push_back(evaluate_probe(probe, dim, displacement, newton.reactions));
   }
   if (!problem.mesh.section_x.empty()) {
     results.curve = mean_of_sections(problem.mesh.section_x, problem.mesh.section_nodes,
-                                     values_of(displacement));
+                                     values_of(displacement), model.dim());
     if (problem.reference) results.distance = distance(*results.curve, *problem.reference);
   }
   results.newton = std::move(newton);

@@ -27,7 +27,7 @@ namespace elastogen::selector {
 /// Gravity as a consistent body load, and the nodal forces [N].
 [[nodiscard]] Vector make_load(const Scene& scene, const Problem& problem, const Model& model);
 
-/// Means and sums over a probe's nodes.
+/// Means and sums over a probe's nodes; in the plane the last components are 0.
 struct ProbeResult {
   std::string name;
   std::size_t num_nodes = 0;
@@ -38,7 +38,7 @@ struct ProbeResult {
 /// What a run found, ready to be written.
 struct SceneResults {
   NewtonResult newton;
-  Vector displacement;                 ///< [3 * node + component], m
+  Vector displacement;                 ///< [dim * node + component], m
   std::vector<double> energy_density;  ///< of each element, per rest volume [J/m^3]
   std::vector<ProbeResult> probes;
   std::optional<DeflectionCurve> curve;   ///< of bars

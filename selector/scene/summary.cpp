@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "selector/support/names.h"
 
@@ -89,13 +90,17 @@ Json times_json(const RunSummary& summary) {
           {"solve_linear_systems", newton.solve}, {"output", summary.times.output}};
 }
 
-Json probes_json(const SceneResults& results) {
+Json components_json(const std::array<double, 3>& vector, std::size_t dim) {
+  return std::vector<double>(vector.begin(), vector.begin() + static_cast<std::ptrdiff_t>(dim));
+}
+
+Json probes_json(const SceneResults& results, std::size_t dim) {
   Json list = Json::array();
   for (const ProbeResult& probe : results.probes) {
     list.push_back({{"name", probe.name},
                     {"nodes", probe.num_nodes},
-                    {"displacement", probe.displacement},
-                    {"reaction", probe.reaction}});
+                    {"displacement", components_json(probe.displacement, dim)},
+                    {"reaction", components_json(probe.reaction, dim)}});
   }
   return list;
 }
@@ -111,13 +116,16 @@ std::string kernel_text(const RunSummary& summary, const std::string& associatio
 }
 
 /// What rounds to zero is printed without a sign.
-std::string vector_text(const std::array<double, 3>& vector, int precision) {
-  std::array<double, 3> shown = vector;
+std::string vector_text(std::span<const double> vector, int precision) {
+  std::vector<double> shown(vector.begin(), vector.end());
   for (double& component : shown) {
     if (std::abs(component) < 0.5 * std::pow(10.0, -precision)) component = 0;
   }
-  return fmt::format("[{:.{}f}, {:.{}f}, {:.{}f}]", shown[0], precision, shown[1], precision,
-                     shown[2], precision);
+  std::vector<std::string> components;
+  for (const double component : shown) {
+    components.push_back(fmt::format("{:.{}f}", component, precision));
+  }
+  return fmt::format("[{}]", join(components, ", "));
 }
 
 std::string associations_text(const RunSummary& summary) {
@@ -133,20 +141,24 @@ std::string associations_text(const RunSummary& summary) {
 
 std::string results_text(const RunSummary& summary) {
   const SceneResults& results = *summary.results;
+  const auto dim = static_cast<std::size_t>(summary.problem->mesh.mesh.dim);
   std::string text;
   for (const ProbeResult& probe : results.probes) {
     text += fmt::format("  probe {:<13} mean displacement {} m, reaction {} N\n", probe.name,
-                        vector_text(probe.displacement, 6), vector_text(probe.reaction, 1));
+                        vector_text(std::span(probe.displacement).first(dim), 6),
+                        vector_text(std::span(probe.reaction).first(dim), 1));
   }
   if (results.curve) {
-    text +=
-        fmt::format("  tip deflection      u_z = {:.6f} m, u_x = {:.6f} m\n",
-                    results.curve->displacement.back()[2], results.curve->displacement.back()[0]);
+    text += fmt::format("  tip deflection      {} = {:.6f} m, u_x = {:.6f} m\n",
+                        results.curve->deflection_name(),
+                        results.curve->deflection(results.curve->size() - 1),
+                        results.curve->displacement.back()[0]);
   }
   if (results.distance) {
     text += fmt::format(
-        "  distance            mean |u_z - {}| = {:.6f} m over the sections; tip {:+.6f} m\n",
-        summary.scene->reference->label, results.distance->mean_uz, results.distance->tip_uz);
+        "  distance            mean |{} - {}| = {:.6f} m over the sections; tip {:+.6f} m\n",
+        results.curve->deflection_name(), summary.scene->reference->label, results.distance->mean,
+        results.distance->tip);
   }
   return text;
 }
@@ -166,6 +178,7 @@ std::vector<std::string> skipped_operations(const std::vector<std::string>& gene
 Json summary_json(const RunSummary& summary) {
   const SceneMesh& mesh = summary.problem->mesh;
   const SceneResults& results = *summary.results;
+  const auto dim = static_cast<std::size_t>(mesh.mesh.dim);
   Json json = {{"title", summary.scene->title},
                {"scene", summary.scene->file.filename().string()},
                {"mesh",
@@ -176,12 +189,14 @@ Json summary_json(const RunSummary& summary) {
   json["operations"] = summary.operations;
   json["skipped_operations"] = skipped_operations(summary.operations);
   json["solver"] = newton_json(summary);
-  json["probes"] = probes_json(results);
-  if (results.curve) json["tip_displacement"] = results.curve->displacement.back();
+  json["probes"] = probes_json(results, dim);
+  if (results.curve)
+    json["tip_displacement"] = components_json(results.curve->displacement.back(), dim);
   if (results.distance) {
+    const std::string component = mesh.mesh.dim == 2 ? "uy" : "uz";
     json["reference"] = {{"label", summary.scene->reference->label},
-                         {"mean_distance_uz", results.distance->mean_uz},
-                         {"tip_difference_uz", results.distance->tip_uz}};
+                         {"mean_distance_" + component, results.distance->mean},
+                         {"tip_difference_" + component, results.distance->tip}};
   }
   json["seconds"] = times_json(summary);
   json["warnings"] = summary.warnings;

@@ -163,9 +163,16 @@ std::string TomlTable::choice(std::string_view key, const std::vector<std::strin
   return name;
 }
 
-std::array<double, 3> TomlTable::vector(std::string_view key) const {
-  const std::vector<double> values = numbers(key, 3, any_number);
-  return {values[0], values[1], values[2]};
+std::array<double, 3> TomlTable::vector(std::string_view key, int dim) const {
+  const std::vector<double> values = numbers(key, 0, any_number);
+  if (values.size() != static_cast<std::size_t>(dim)) {
+    fail(key, fmt::format("must have {} components, not {}: the scene is {}",
+                          dim == 2 ? "the 2" : "the 3", values.size(),
+                          dim == 2 ? "plane, with x and y" : "in space, with x, y and z"));
+  }
+  std::array<double, 3> vector{};
+  std::copy(values.begin(), values.end(), vector.begin());
+  return vector;
 }
 
 std::vector<std::vector<double>> TomlTable::rows(std::string_view key, std::size_t count) const {

@@ -67,7 +67,8 @@ class TomlTable {
   /// One of the names listed.
   [[nodiscard]] std::string choice(std::string_view key,
                                    const std::vector<std::string>& choices) const;
-  [[nodiscard]] std::array<double, 3> vector(std::string_view key) const;
+  /// A vector of space (dim 3) or of the plane (dim 2), whose last component is 0.
+  [[nodiscard]] std::array<double, 3> vector(std::string_view key, int dim) const;
   /// Rows of numbers: `count` each, or any number of them where 0.
   [[nodiscard]] std::vector<std::vector<double>> rows(std::string_view key,
                                                       std::size_t count) const;

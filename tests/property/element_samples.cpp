@@ -38,7 +38,16 @@ ElementCase sample_case(const AssociationId& id, const Law& law, const SampleOpt
   return sample;
 }
 
-void make_rigid_motion(ElementCase& sample, double angle) {
+void make_rigid_motion(ElementCase& sample, int dim, double angle) {
+  if (dim == 2) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    for (std::size_t a = 0; a < sample.rest_positions.size(); a += 2) {
+      const double x = sample.rest_positions[a], y = sample.rest_positions[a + 1];
+      sample.displacement[a] = c * x - s * y - x + 0.5;
+      sample.displacement[a + 1] = s * x + c * y - y + 1.0;
+    }
+    return;
+  }
   const double length = std::sqrt(14.0);
   const std::array<double, 3> n{1 / length, 2 / length, 3 / length};
   const double c = std::cos(angle), s = std::sin(angle);

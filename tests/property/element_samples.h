@@ -21,9 +21,9 @@ struct SampleOptions {
 [[nodiscard]] symgen::ElementCase sample_case(const symgen::AssociationId& id,
                                               const symgen::Law& law, const SampleOptions& options);
 
-/// Positions of a sample turned by `angle` about an axis through (1, 2, 3) and shifted, as a
-/// displacement.
-void make_rigid_motion(symgen::ElementCase& sample, double angle);
+/// Positions of a sample turned by `angle` about an axis through (1, 2, 3), in the plane about the
+/// origin, and shifted, as a displacement.
+void make_rigid_motion(symgen::ElementCase& sample, int dim, double angle);
 
 /// A shipped law, or one of the tests' own.
 [[nodiscard]] symgen::Law law_named(const std::string& name);

@@ -14,15 +14,18 @@ namespace {
 constexpr std::array<double, 3> size{4.0, 1.0, 1.0};
 
 bool is_on_boundary(const Mesh& mesh, std::size_t node) {
-  for (int i = 0; i < 3; ++i) {
-    const double x = mesh.positions[3 * node + i];
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  for (std::size_t i = 0; i < dim; ++i) {
+    const double x = mesh.positions[dim * node + i];
     if (std::abs(x) < 1e-12 || std::abs(x - size[i]) < 1e-12) return true;
   }
   return false;
 }
 
-void expect_patch_test(const std::vector<std::string>& associations) {
-  Mesh mesh = make_bar_mesh(size, {8, 3, 3}, associations);
+void expect_patch_test(const std::vector<std::string>& associations,
+                       const std::array<int, 3>& cells = {8, 3, 3}) {
+  Mesh mesh = make_bar_mesh(size, cells, associations);
+  const auto dim = static_cast<std::size_t>(mesh.dim);
   std::vector<bool> boundary;
   for (std::size_t a = 0; a < mesh.num_nodes(); ++a) boundary.push_back(is_on_boundary(mesh, a));
   std::mt19937 generator(3);
@@ -31,19 +34,19 @@ void expect_patch_test(const std::vector<std::string>& associations) {
   for (std::size_t a = 0; a < mesh.num_nodes(); ++a) {
     if (boundary[a]) continue;
     ++num_inside;
-    for (int i = 0; i < 3; ++i) mesh.positions[3 * a + i] += shift(generator);
+    for (std::size_t i = 0; i < dim; ++i) mesh.positions[dim * a + i] += shift(generator);
   }
   ASSERT_GT(num_inside, 20U);
 
   const double gradient[3][3] = {{0.05, 0.02, -0.01}, {0.03, -0.04, 0.02}, {-0.02, 0.01, 0.03}};
   Vector expected(static_cast<Eigen::Index>(mesh.positions.size()));
-  Constraints constraints(mesh.num_nodes(), 3);
+  Constraints constraints(mesh.num_nodes(), mesh.dim);
   for (std::size_t a = 0; a < mesh.num_nodes(); ++a) {
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < dim; ++i) {
       double value = 0;
-      for (int j = 0; j < 3; ++j) value += gradient[i][j] * mesh.positions[3 * a + j];
-      expected[static_cast<Eigen::Index>(3 * a) + i] = value;
-      if (boundary[a]) constraints.prescribe(a, i, value);
+      for (std::size_t j = 0; j < dim; ++j) value += gradient[i][j] * mesh.positions[dim * a + j];
+      expected[static_cast<Eigen::Index>(dim * a + i)] = value;
+      if (boundary[a]) constraints.prescribe(a, static_cast<int>(i), value);
     }
   }
   Model model(mesh, parts_of(mesh, associations, 1e6, 0.3, 0.0), ModelOptions{});
@@ -64,6 +67,13 @@ TEST(PatchTest, PrismsPyramidsHexahedraWithStVK) {
 TEST(PatchTest, RicherRulesWithNeoHooke) {
   expect_patch_test({"neo_hookean-prism6-q21-none", "neo_hookean-pyramid5-q8-none",
                      "neo_hookean-hexa8-q27-none", "neo_hookean-prism6-q6-none"});
+}
+
+TEST(PatchTest, TrianglesAndQuadrilateralsInThePlane) {
+  expect_patch_test(
+      {"stvk-tri3-q1-none", "stvk-quad4-q4-none", "stvk-tri3-q3-none", "stvk-quad4-q9-none"},
+      {16, 4, 0});
+  expect_patch_test({"neo_hookean-quad4-q4-none", "neo_hookean-tri3-q1-none"}, {16, 4, 0});
 }
 
 TEST(PatchTest, Tetrahedra) { expect_patch_test({"stvk-tet4-q1-none", "stvk-tet4-q4-none"}); }

@@ -1,4 +1,5 @@
 // Whole runs by the built program: kernels made on the spot, results as the files say them.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -230,6 +231,48 @@ TEST_F(BadScene, OutIsAFile) {
   const ProcessResult result = run_scene(write(pulled_bar));
   EXPECT_EQ(result.exit_status, 2);
   EXPECT_NE(result.output.find("this is a file"), std::string::npos) << result.output;
+}
+
+/// A cantilever 4 m long and 1 m high, one element thick in space, with that displacement held.
+std::string cantilever(const char* law, const char* plane_element, const char* solid_element,
+                       bool plane, const char* force) {
+  return fmt::format(
+      "gravity = {0}\n[bar]\nlength = 4\nheight = 1\n{1}\n[[bar.section]]\nuntil = 1\n"
+      "association = \"{2}-{3}-none\"\nregion = \"body\"\n[material.body]\ndensity = 1000\n"
+      "young = 1e6\npoisson = 0.3\n[[constraint]]\nplane = {{ x = 0 }}\nfixed = [{4}]\n{5}"
+      "[[load]]\nplane = {{ x = 4 }}\nforce = {6}\n[solver]\nmethod = \"cholesky\"\n"
+      "tolerance = 1e-12\n[output]\nwrite = []\n",
+      plane ? "[0, -1]" : "[0, 0, -1]", plane ? "cells = [8, 3]" : "width = 1\ncells = [8, 1, 3]",
+      law, plane ? plane_element : solid_element, plane ? "\"x\", \"y\"" : "\"x\", \"y\", \"z\"",
+      plane ? ""
+            : "[[constraint]]\nbox = { min = [0.1, 0, 0], max = [4, 1, 1] }\nfixed = [\"y\"]\n",
+      fmt::format(plane ? "[0, -{}]" : "[0, 0, -{}]", force));
+}
+
+TEST_F(Run, QuadrilateralsAreHexahedraHeldInPlaneStrain) {
+  std::vector<std::vector<double>> tip;
+  for (const bool plane : {true, false}) {
+    const ProcessResult result =
+        run_scene(write(cantilever("neo_hookean", "quad4-q4", "hexa8-q8", plane, "20000")));
+    ASSERT_EQ(result.exit_status, 0) << result.output;
+    tip.push_back(summary()["tip_displacement"]);
+  }
+  ASSERT_EQ(tip[0].size(), 2U);
+  ASSERT_EQ(tip[1].size(), 3U);
+  EXPECT_LT(tip[0][1], -0.5);  // far from small
+  EXPECT_NEAR(tip[0][0], tip[1][0], 1e-10);
+  EXPECT_NEAR(tip[0][1], tip[1][2], 1e-10);
+}
+
+TEST_F(Run, PlaneBarOfTrianglesAndQuadrilateralsCarriesItsWeight) {
+  const ProcessResult result = run_scene(shipped("bar_planar"), {"--cells", "32x4"});
+  ASSERT_EQ(result.exit_status, 0) << result.output;
+  const nlohmann::json json = summary();
+  EXPECT_EQ(json["mesh"]["elements"], 16 * 4 * 2 + 16 * 4);
+  EXPECT_EQ(json["associations"][1]["geometry"], "box");
+  const double weight = 1000 * 8 * 9.81;
+  EXPECT_NEAR(json["probes"][0]["reaction"][1], weight, 1e-7 * weight);
+  EXPECT_TRUE(std::filesystem::exists(out() / "result.vtu"));
 }
 
 }  // namespace

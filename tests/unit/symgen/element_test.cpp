@@ -20,7 +20,7 @@ TEST_P(EveryElement, IsSound) {
 
 TEST_P(EveryElement, GradientsSumToZero) {
   const Element& element = find_element(GetParam());
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < element.coordinates.size(); ++i) {
     ex sum = 0;
     for (const std::vector<ex>& gradient : shape_gradients(element)) sum += gradient[i];
     EXPECT_TRUE(sum.normal().is_zero()) << "coordinate " << i;
@@ -31,17 +31,21 @@ INSTANTIATE_TEST_SUITE_P(Elements, EveryElement, testing::ValuesIn(element_names
                          [](const auto& element) { return element.param; });
 
 TEST(Elements, AreListedInOrder) {
-  EXPECT_EQ(element_names(), (std::vector<std::string>{"tet4", "hexa8", "prism6", "pyramid5"}));
+  EXPECT_EQ(element_names(),
+            (std::vector<std::string>{"tri3", "quad4", "tet4", "hexa8", "prism6", "pyramid5"}));
 }
 
 TEST(Elements, KnowTheirGeometryVariants) {
+  EXPECT_TRUE(find_element("tri3").affine);
+  EXPECT_TRUE(find_element("quad4").has_box);
   EXPECT_TRUE(find_element("tet4").affine);
   EXPECT_FALSE(find_element("tet4").has_box);
   EXPECT_TRUE(find_element("hexa8").has_box);
-  for (const char* name : {"hexa8", "prism6", "pyramid5"}) EXPECT_FALSE(find_element(name).affine);
+  for (const char* name : {"quad4", "hexa8", "prism6", "pyramid5"})
+    EXPECT_FALSE(find_element(name).affine);
 }
 
-// The functions as tables 3.2 and 3.3 of the thesis print them, in its order of nodes.
+// The functions as tables 3.1 to 3.3 of the thesis print them, in its order of nodes.
 TEST(Elements, HavePrintedShapeFunctions) {
   const ex x = reference_coordinates()[0];
   const ex y = reference_coordinates()[1];
@@ -54,6 +58,9 @@ TEST(Elements, HavePrintedShapeFunctions) {
           << name << " function " << a;
     }
   };
+  expect_equal("tri3", {1 - x - y, x, y});
+  expect_equal("quad4", {(1 - x) * (1 - y) / 4, (1 + x) * (1 - y) / 4, (1 + x) * (1 + y) / 4,
+                         (1 - x) * (1 + y) / 4});
   expect_equal("tet4", {1 - x - y - z, x, y, z});
   expect_equal("hexa8", {(1 - x) * (1 - y) * (1 - z) / 8, (1 + x) * (1 - y) * (1 - z) / 8,
                          (1 + x) * (1 + y) * (1 - z) / 8, (1 - x) * (1 + y) * (1 - z) / 8,
@@ -109,8 +116,8 @@ TEST(FindElement, SuggestsNearestName) {
     FAIL() << "hexa9 was found";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "unknown element 'hexa9'; did you mean 'hexa8'?; elements are tet4, hexa8, "
-                 "prism6, pyramid5");
+                 "unknown element 'hexa9'; did you mean 'hexa8'?; elements are tri3, quad4, "
+                 "tet4, hexa8, prism6, pyramid5");
   }
 }
 

@@ -49,9 +49,11 @@ class EveryRule : public testing::TestWithParam<Case> {
 };
 
 const std::vector<Case> all_cases = {
-    {"tet4", "q1", 1, 1},     {"tet4", "q4", 4, 2},     {"tet4", "exact", 1, 1},
-    {"hexa8", "q8", 8, 3},    {"hexa8", "q27", 27, 5},  {"prism6", "q6", 6, 2},
-    {"prism6", "q21", 21, 5}, {"pyramid5", "q5", 5, 2}, {"pyramid5", "q8", 8, 3}};
+    {"tri3", "q1", 1, 1},     {"tri3", "q3", 3, 2},    {"tri3", "exact", 1, 1},
+    {"quad4", "q4", 4, 3},    {"quad4", "q9", 9, 5},   {"tet4", "q1", 1, 1},
+    {"tet4", "q4", 4, 2},     {"tet4", "exact", 1, 1}, {"hexa8", "q8", 8, 3},
+    {"hexa8", "q27", 27, 5},  {"prism6", "q6", 6, 2},  {"prism6", "q21", 21, 5},
+    {"pyramid5", "q5", 5, 2}, {"pyramid5", "q8", 8, 3}};
 
 TEST_P(EveryRule, HasItsPointsInsideAndPositiveWeights) {
   EXPECT_EQ(rule().num_points(), GetParam().num_points);
@@ -60,7 +62,8 @@ TEST_P(EveryRule, HasItsPointsInsideAndPositiveWeights) {
     EXPECT_GT(exact_value(rule().weights[g]).to_double(), 0);
     // Inside of these shapes every shape function of a vertex element is positive.
     GiNaC::exmap point;
-    for (std::size_t i = 0; i < 3; ++i) point[element().coordinates[i]] = rule().points[g][i];
+    for (std::size_t i = 0; i < element().coordinates.size(); ++i)
+      point[element().coordinates[i]] = rule().points[g][i];
     for (const ex& function : element().shape_functions) {
       EXPECT_GT(exact_value(function.subs(point)).to_double(), 0) << "point " << g;
     }
@@ -76,7 +79,8 @@ TEST_P(EveryRule, IntegratesShapeGradientsOnAnyDistortedElement) {
 }
 
 TEST_P(EveryRule, LeavesOnlyRigidMotionsFree) {
-  const int required = 3 * element().num_nodes() - 6;
+  const int dim = element().dim;
+  const int required = dim * element().num_nodes() - dim * (dim + 1) / 2;
   EXPECT_EQ(stiffness_rank(element(), rule(), element().nodes), required);
   EXPECT_EQ(stiffness_rank(element(), rule(), distorted_positions(element())), required);
 }
@@ -104,6 +108,8 @@ TEST(Quadratures, RichestRulesIntegrateNodalVolumesOnAnyDistortedElement) {
   for (const std::string& name : element_names()) {
     EXPECT_TRUE(integrates_nodal_volumes(find_element(name), richest_quadrature(name))) << name;
   }
+  EXPECT_EQ(richest_quadrature("tri3").name, "q3");
+  EXPECT_EQ(richest_quadrature("quad4").name, "q9");
   EXPECT_EQ(richest_quadrature("tet4").name, "q4");
   EXPECT_EQ(richest_quadrature("hexa8").name, "q27");
   EXPECT_EQ(richest_quadrature("prism6").name, "q21");
@@ -143,9 +149,12 @@ TEST(StiffnessRank, FindsZeroEnergyModesOfReducedIntegration) {
   EXPECT_EQ(stiffness_rank(hexa8, one_point, distorted_positions(hexa8)), 6);
   EXPECT_FALSE(integrates_shape_gradients(hexa8, one_point));
 
+  const Element& quad4 = find_element("quad4");
+  one_point = tensor_product(gauss_legendre(1), gauss_legendre(1));
+  EXPECT_EQ(stiffness_rank(quad4, one_point, quad4.nodes), 3);
+
   const Element& prism6 = find_element("prism6");
-  const Quadrature triangle_centroid{"", {{numeric(1, 3), numeric(1, 3)}}, {numeric(1, 2)}, false};
-  const Quadrature two_points = tensor_product(gauss_legendre(2), triangle_centroid);
+  const Quadrature two_points = tensor_product(gauss_legendre(2), triangle_rule(1));
   EXPECT_LT(stiffness_rank(prism6, two_points, prism6.nodes), 12);
 }
 
@@ -162,6 +171,9 @@ TEST(ReferenceIntegral, KnowsVolumesAndMoments) {
   const auto integral = [](const char* element, const ex& function) {
     return integrate_over_reference(find_element(element), function);
   };
+  EXPECT_EQ(integral("tri3", 1), ex(numeric(1, 2)));
+  EXPECT_EQ(integral("tri3", x * y), ex(numeric(1, 24)));
+  EXPECT_EQ(integral("quad4", x * x), ex(numeric(4, 3)));
   EXPECT_EQ(integral("tet4", 1), ex(numeric(1, 6)));
   EXPECT_EQ(integral("hexa8", 1), ex(8));
   EXPECT_EQ(integral("prism6", 1), ex(1));

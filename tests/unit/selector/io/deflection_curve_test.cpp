@@ -62,15 +62,15 @@ TEST(DeflectionCurve, DistanceIsTheMeanOverSections) {
   curve.displacement[1][2] += 0.03;
   curve.displacement[2][2] -= 0.06;
   const CurveDistance result = distance(curve, reference);
-  EXPECT_NEAR(result.mean_uz, 0.03, 1e-13);
-  EXPECT_NEAR(result.tip_uz, -0.06, 1e-13);
+  EXPECT_NEAR(result.mean, 0.03, 1e-13);
+  EXPECT_NEAR(result.tip, -0.06, 1e-13);
 }
 
 TEST(DeflectionCurve, MeansAreOverTheNodesOfASection) {
   const std::vector<double> x = {0, 1};
   const std::vector<std::vector<std::int32_t>> sections = {{0, 2}, {1}};
   const std::vector<double> displacement = {1, 2, 3, 4, 5, 6, 7, 8, 10};
-  const DeflectionCurve curve = mean_of_sections(x, sections, displacement);
+  const DeflectionCurve curve = mean_of_sections(x, sections, displacement, 3);
   EXPECT_EQ(curve.displacement[0], (std::array<double, 3>{4, 5, 6.5}));
   EXPECT_EQ(curve.displacement[1], (std::array<double, 3>{4, 5, 6}));
 }

@@ -39,7 +39,7 @@ TEST(Pictures, DeformedBodyAndCurveAreDrawn) {
   draw_deformed(folder.path() / "it's.png", bar.mesh, displacement, "it's a \"title\"\nof two");
   EXPECT_EQ(png_size(folder.path() / "it's.png")[0], 1500);
 
-  const DeflectionCurve curve = mean_of_sections(bar.section_x, bar.section_nodes, displacement);
+  const DeflectionCurve curve = mean_of_sections(bar.section_x, bar.section_nodes, displacement, 3);
   draw_curve(folder.path() / "curve.png", curve, NamedCurve{"reference", curve}, "title");
   EXPECT_EQ(png_size(folder.path() / "curve.png"), (std::array<int, 2>{1000, 900}));
   draw_curve(folder.path() / "alone.png", curve, std::nullopt, "title");

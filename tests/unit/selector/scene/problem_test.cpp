@@ -133,5 +133,110 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedScene,
                          testing::Values("mixed_beam", "mixed_beam_hooke_prisms", "beam_hexa8",
                                          "beam_prism6", "beam_pyramid5", "beam_tet4"));
 
+/// A plane bar of triangles, then quadrilaterals, clamped at x = 0.
+const std::string plane_scene = R"(gravity = [0, -9.81]
+[bar]
+length = 2.0
+height = 1.0
+cells = [4, 2]
+[[bar.section]]
+until = 0.5
+association = "stvk-tri3-q1-none"
+region = "body"
+[[bar.section]]
+until = 1.0
+association = "stvk-quad4-q4-none"
+region = "body"
+[material.body]
+density = 1000.0
+young = 1e6
+poisson = 0.3
+[[constraint]]
+plane = { x = 0.0 }
+fixed = ["x", "y"]
+)";
+
+TEST(PlaneScene, HasTwoComponentsOfEverything) {
+  const Problem problem = prepare_text(plane_scene);
+  const Mesh& mesh = problem.mesh.mesh;
+  EXPECT_EQ(mesh.dim, 2);
+  EXPECT_EQ(mesh.num_nodes(), 15U);
+  EXPECT_EQ(mesh.num_elements(), 8U + 4U);
+  EXPECT_EQ(problem.constraints.num_dofs(), 30U);
+  EXPECT_EQ(problem.constraints.num_constrained(), 6U);
+  EXPECT_EQ(problem.mesh.section_nodes.front().size(), 3U);
+}
+
+TEST(PlaneScene, TilesTheBarWithElementsThatAreNotInverted) {
+  const Problem problem = prepare_text(plane_scene);
+  const Mesh& mesh = problem.mesh.mesh;
+  double area = 0;
+  for (const ElementBlock& block : mesh.blocks) {
+    for (std::size_t e = 0; e < block.num_elements(); ++e) {
+      const auto nodes = block.element_nodes(e);
+      double twice = 0;  // the shoelace formula
+      for (std::size_t a = 0; a < nodes.size(); ++a) {
+        const double* p = &mesh.positions[2 * static_cast<std::size_t>(nodes[a])];
+        const double* q =
+            &mesh.positions[2 * static_cast<std::size_t>(nodes[(a + 1) % nodes.size()])];
+        twice += p[0] * q[1] - p[1] * q[0];
+      }
+      EXPECT_GT(twice, 0);
+      area += twice / 2;
+    }
+  }
+  EXPECT_NEAR(area, 2.0, 1e-14);
+}
+
+TEST(PlaneScene, RefusesVectorsOfSpace) {
+  const auto message = [](const char* piece, const char* by) {
+    return error_of(replaced(plane_scene, piece, by));
+  };
+  expect_contains(message("[0, -9.81]", "[0, 0, -9.81]"),
+                  "must have the 2 components, not 3: the scene is plane, with x and y");
+  expect_contains(message("[\"x\", \"y\"]", "[\"x\", \"z\"]"),
+                  "'z' is no component: x, y are in a plane scene");
+  expect_contains(message("cells = [4, 2]", "cells = [4, 2, 2]"), "must have 2 entries, not 3");
+  expect_contains(message("{ x = 0.0 }", "{ z = 0.0 }"), "unknown key");
+}
+
+TEST(PlaneScene, RefusesElementsOfSpace) {
+  const std::string message = error_of(replaced(plane_scene, "stvk-tri3-q1", "stvk-tet4-q1"));
+  expect_contains(message, "element 'tet4' is three-dimensional, but the scene is plane");
+  expect_contains(message, "take tri3, quad4");
+  expect_contains(error_of(replaced(good_scene, "hexa8-q8", "quad4-q4")),
+                  "element 'quad4' is plane, but the scene is in space");
+  expect_contains(error_of(replaced(good_scene, "[0, 0, -9.81]", "[0, -9.81]")),
+                  "must have the 3 components, not 2");
+}
+
+TEST(PlaneScene, HasThreeRigidMotions) {
+  expect_contains(error_of(replaced(plane_scene, "[\"x\", \"y\"]", "[\"x\"]")),
+                  "leave 1 of the 3 rigid motions of the body, for example a translation along y");
+  expect_contains(error_of(replaced(plane_scene, "plane = { x = 0.0 }",
+                                    "box = { min = [0, 0], max = [0, 0] }")),
+                  "a rotation about an axis along z");
+}
+
+TEST(PlaneScene, FindsOverlappingElementsByHand) {
+  const std::string mesh = R"([mesh]
+nodes = [[0, 0], [1, 0], [0, 1], [1, 1], [0.5, 2]]
+[[mesh.block]]
+association = "stvk-tri3-q1-none"
+region = "body"
+elements = [[0, 1, 2], [0, 1, 3], [0, 1, 4]]
+[material.body]
+density = 1000.0
+young = 1e6
+poisson = 0.3
+[[constraint]]
+plane = { y = 0 }
+fixed = ["x", "y"]
+)";
+  expect_contains(error_of(mesh), "the edge with nodes 0 1 of element 0 belongs to more than two");
+  expect_contains(error_of(replaced(mesh, "[0, 0], [1, 0]", "[0, 0, 0], [1, 0]")),
+                  "must be an array of 2 numbers");
+}
+
 }  // namespace
 }  // namespace elastogen::selector
