@@ -197,11 +197,14 @@ void write_results(RunSummary& summary) {
 }
 
 std::vector<std::string> mesh_warnings(const SceneMesh& mesh) {
-  if (mesh.split_quadrilaterals == 0) return {};
-  return {
-      fmt::format("{} quadrilateral faces meet triangles of neighbours that split them: the "
-                  "displacement is not continuous across them (thesis, figure 6.19)",
-                  mesh.split_quadrilaterals)};
+  std::vector<std::string> warnings = mesh.notes;
+  if (mesh.split_quadrilaterals > 0) {
+    warnings.push_back(
+        fmt::format("{} quadrilateral faces meet triangles of neighbours that split them: the "
+                    "displacement is not continuous across them (thesis, figure 6.19)",
+                    mesh.split_quadrilaterals));
+  }
+  return warnings;
 }
 
 int exit_status(NewtonStatus status) {

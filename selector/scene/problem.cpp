@@ -70,8 +70,8 @@ std::vector<BlockMaterial> block_materials(const Scene& scene,
   return result;
 }
 
-Constraints make_constraints(const Scene& scene, const Mesh& mesh) {
-  Constraints constraints(mesh.num_nodes(), mesh.dim);
+Constraints make_constraints(const Scene& scene, const SceneMesh& mesh) {
+  Constraints constraints(mesh.mesh.num_nodes(), mesh.mesh.dim);
   for (const ConstraintDescription& description : scene.constraints) {
     for (const std::int32_t node : select_nodes(mesh, description.nodes)) {
       for (int c = 0; c < mesh.dim; ++c) {
@@ -108,17 +108,26 @@ void check_held(const Scene& scene, const Mesh& mesh, const Constraints& constra
   }
 }
 
-std::vector<NodalForce> make_forces(const Scene& scene, const Mesh& mesh) {
+std::vector<NodalForce> make_forces(const Scene& scene, const SceneMesh& mesh) {
   std::vector<NodalForce> forces;
   for (const LoadDescription& load : scene.loads) {
+    if (!load.force) continue;
     const std::vector<std::int32_t> nodes = select_nodes(mesh, load.nodes);
-    std::array<double, 3> share = load.force;
+    std::array<double, 3> share = *load.force;
     for (double& component : share) component /= static_cast<double>(nodes.size());
     for (const std::int32_t node : nodes) {
       forces.push_back({static_cast<std::size_t>(node), share});
     }
   }
   return forces;
+}
+
+std::vector<SurfaceLoad> make_surface_loads(const Scene& scene, const SceneMesh& mesh) {
+  std::vector<SurfaceLoad> loads;
+  for (const LoadDescription& load : scene.loads) {
+    if (!load.force) loads.push_back(make_surface_load(mesh, load));
+  }
+  return loads;
 }
 
 /// The curve, known to reach over the whole bar.
@@ -139,16 +148,17 @@ Problem prepare(const Scene& scene, const std::vector<std::filesystem::path>& la
   SceneMesh mesh = make_mesh(scene);
   std::map<std::string, symgen::Law> laws = read_laws(scene, mesh.blocks, law_folders);
   std::vector<BlockMaterial> materials = block_materials(scene, mesh.blocks, laws);
-  Constraints constraints = make_constraints(scene, mesh.mesh);
+  Constraints constraints = make_constraints(scene, mesh);
   check_held(scene, mesh.mesh, constraints);
-  std::vector<NodalForce> forces = make_forces(scene, mesh.mesh);
+  std::vector<NodalForce> forces = make_forces(scene, mesh);
+  std::vector<SurfaceLoad> surface_loads = make_surface_loads(scene, mesh);
   std::vector<Probe> probes;
   for (const ProbeDescription& probe : scene.probes) {
-    probes.push_back({probe.name, select_nodes(mesh.mesh, probe.nodes)});
+    probes.push_back({probe.name, select_nodes(mesh, probe.nodes)});
   }
   std::optional<DeflectionCurve> reference = read_reference(scene, mesh);
-  return {std::move(mesh),   std::move(laws),   std::move(materials), std::move(constraints),
-          std::move(forces), std::move(probes), std::move(reference)};
+  return {std::move(mesh),   std::move(laws),          std::move(materials), std::move(constraints),
+          std::move(forces), std::move(surface_loads), std::move(probes),    std::move(reference)};
 }
 
 }  // namespace elastogen::selector

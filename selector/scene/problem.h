@@ -13,6 +13,7 @@
 #include "selector/io/deflection_curve.h"
 #include "selector/scene/scene.h"
 #include "selector/scene/scene_mesh.h"
+#include "selector/scene/surface_load.h"
 #include "symgen/law/law.h"
 
 namespace elastogen::selector {
@@ -42,6 +43,7 @@ struct Problem {
   std::vector<BlockMaterial> materials;     ///< of each block
   Constraints constraints;
   std::vector<NodalForce> forces;
+  std::vector<SurfaceLoad> surface_loads;
   std::vector<Probe> probes;
   std::optional<DeflectionCurve> reference;
 };

@@ -69,10 +69,14 @@ NodeSelection read_box(const TomlTable& box, int dim) {
 }
 
 NodeSelection read_selection(const TomlTable& table, int dim) {
-  if (table.has("plane") == table.has("box")) {
+  if (table.has("plane") + table.has("box") + table.has("boundary") != 1) {
     table.fail(fmt::format(
-        "needs either plane = {{ x = 0 }} or box = {} to select nodes",
+        "needs one of plane = {{ x = 0 }}, box = {} and boundary = \"NAME\" to select nodes",
         dim == 2 ? "{ min = [0, 0], max = [1, 1] }" : "{ min = [0, 0, 0], max = [1, 1, 1] }"));
+  }
+  if (table.has("boundary")) {
+    const std::string name = table.string("boundary");
+    return {table.where("boundary"), fmt::format("boundary '{}'", name), {}, {}, name};
   }
   return table.has("plane") ? read_plane(table.table("plane"), dim)
                             : read_box(table.table("box"), dim);
@@ -187,7 +191,7 @@ std::vector<MaterialDescription> read_materials(const TomlTable& materials) {
 }
 
 ConstraintDescription read_constraint(const TomlTable& table, int dim) {
-  table.allow_only({"plane", "box", "fixed", "displacement"});
+  table.allow_only({"plane", "box", "boundary", "fixed", "displacement"});
   ConstraintDescription constraint;
   constraint.nodes = read_selection(table, dim);
   if (table.has("fixed")) {
@@ -219,14 +223,25 @@ ConstraintDescription read_constraint(const TomlTable& table, int dim) {
 }
 
 LoadDescription read_load(const TomlTable& table, int dim) {
-  table.allow_only({"plane", "box", "force"});
-  return {read_selection(table, dim), table.vector("force", dim)};
+  table.allow_only({"plane", "box", "boundary", "force", "pressure", "traction"});
+  if (table.has("force") + table.has("pressure") + table.has("traction") != 1) {
+    table.fail("needs one of force = [0, 0, -10], pressure = 1e4 and traction = [0, 0, -1e4]");
+  }
+  if (dim == 2 && !table.has("force")) {
+    table.fail(table.has("pressure") ? "pressure" : "traction",
+               "surface loads act on faces of bodies in space; in a plane scene give the force");
+  }
+  LoadDescription load{read_selection(table, dim), {}, {}, {}};
+  if (table.has("force")) load.force = table.vector("force", dim);
+  if (table.has("pressure")) load.pressure = table.number("pressure", any_number);
+  if (table.has("traction")) load.traction = table.vector("traction", dim);
+  return load;
 }
 
 std::vector<ProbeDescription> read_probes(const TomlTable& scene, int dim) {
   std::vector<ProbeDescription> probes;
   for (const TomlTable& table : scene.tables("probe")) {
-    table.allow_only({"name", "plane", "box"});
+    table.allow_only({"name", "plane", "box", "boundary"});
     const std::string name = table.string("name");
     for (const ProbeDescription& probe : probes) {
       if (probe.name == name) table.fail("name", "another probe has this name");
@@ -304,9 +319,16 @@ Scene read_scene(const std::filesystem::path& file) {
     table.fail("a scene needs either a [bar] or a [mesh], and not both");
   }
   scene.dim = dimension_of(table);
-  if (table.has("bar")) scene.bar = read_bar(table.table("bar"), scene.dim);
-  if (table.has("mesh")) scene.mesh = read_mesh(table.table("mesh"), scene.dim);
   if (table.has("gravity")) scene.gravity = table.vector("gravity", scene.dim);
+  if (table.has("bar")) scene.bar = read_bar(table.table("bar"), scene.dim);
+  if (table.has("mesh")) {
+    const TomlTable mesh = table.table("mesh");
+    if (mesh.has("file")) {
+      scene.mesh_file = read_mesh_file_table(mesh);
+    } else {
+      scene.mesh = read_mesh(mesh, scene.dim);
+    }
+  }
   if (!table.has("material")) {
     table.fail("there is no material: add [material.NAME] with density, young and poisson");
   }

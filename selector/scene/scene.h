@@ -8,17 +8,20 @@
 #include <vector>
 
 #include "runtime/linear_solver.h"
+#include "selector/scene/mesh_file_table.h"
 #include "selector/scene/toml_table.h"
 #include "symgen/pipeline.h"
 
 namespace elastogen::selector {
 
-/// Nodes by position: those inside a box, limits included. A plane is a box without thickness.
+/// Nodes by position: those inside a box, limits included. A plane is a box without thickness. Or
+/// by name: those of a boundary in a mesh file.
 struct NodeSelection {
   std::string where;        ///< "scene.toml:14", for messages
   std::string description;  ///< "plane x = 8"
   std::array<double, 3> minimum{},
-      maximum{};  ///< metres; infinite where not limited (z in the plane)
+      maximum{};              ///< metres; infinite where not limited (z in the plane)
+  std::string boundary = {};  ///< empty: by position
 };
 
 /// A part of a bar along x, cut into elements of one kind.
@@ -73,9 +76,12 @@ struct ConstraintDescription {
   std::array<std::optional<double>, 3> displacement;  ///< of each component; 0: fixed; none: free
 };
 
+/// One of the three; pressure and traction act on the surface whose nodes are selected.
 struct LoadDescription {
   NodeSelection nodes;
-  std::array<double, 3> force{};  ///< total [N], spread evenly over the nodes
+  std::optional<std::array<double, 3>> force;     ///< total [N], spread evenly over the nodes
+  std::optional<double> pressure;                 ///< [Pa], positive against the body
+  std::optional<std::array<double, 3>> traction;  ///< [Pa]
 };
 
 struct ProbeDescription {
@@ -110,8 +116,9 @@ struct Scene {
   std::vector<std::filesystem::path> law_files;
   int dim = 3;  ///< 2: a plane scene, in plane strain; vectors have a last component of 0
   std::array<double, 3> gravity{};
-  std::optional<BarDescription> bar;  ///< a scene has either a bar or a mesh
+  std::optional<BarDescription> bar;  ///< a scene has a bar, a mesh or a mesh file
   std::optional<ExplicitMeshDescription> mesh;
+  std::optional<MeshFileDescription> mesh_file;
   std::vector<MaterialDescription> materials;
   std::vector<ConstraintDescription> constraints;
   std::vector<LoadDescription> loads;

@@ -1,4 +1,4 @@
-// From a scene's bar or hand-written elements to a checked mesh.
+// From a scene's bar, hand-written elements or mesh file to a checked mesh.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/mesh.h"
+#include "selector/io/mesh_file.h"
 #include "selector/scene/scene.h"
 
 namespace elastogen::selector {
@@ -27,12 +28,15 @@ struct SceneMesh {
   std::vector<double> section_x;  ///< grid planes of a bar; else empty
   std::vector<std::vector<std::int32_t>> section_nodes;  ///< their nodes
   std::size_t split_quadrilaterals = 0;                  ///< quadrilaterals that meet two triangles
+  std::vector<MeshBoundary> boundaries;                  ///< of a mesh file; so are those below
+  std::vector<std::uint64_t> element_numbers;            ///< the file's
+  std::vector<std::string> notes;                        ///< what was left out or mended
 };
 
 /// Number of a region in mesh.region_names, added where it is new.
 [[nodiscard]] std::int32_t region_number(Mesh& mesh, const std::string& name);
 
-/// The mesh of either kind.
+/// The mesh of any kind.
 [[nodiscard]] SceneMesh make_mesh(const Scene& scene);
 
 }  // namespace elastogen::selector

@@ -7,10 +7,31 @@
 #include <span>
 
 #include "runtime/error.h"
+#include "selector/support/names.h"
 
 namespace elastogen::selector {
 
-std::vector<std::int32_t> select_nodes(const Mesh& mesh, const NodeSelection& selection) {
+const MeshBoundary& find_boundary(const SceneMesh& mesh, const NodeSelection& selection) {
+  std::vector<std::string> names;
+  for (const MeshBoundary& boundary : mesh.boundaries) {
+    if (boundary.name == selection.boundary) return boundary;
+    names.push_back(boundary.name);
+  }
+  if (names.empty()) {
+    throw InputError(fmt::format(
+        "{}: {}: the mesh has no boundaries: they are groups of faces, edges or points in a mesh "
+        "file; select by plane or box",
+        selection.where, selection.description));
+  }
+  throw InputError(fmt::format("{}: {}: the mesh has none of this name{}; it has: {}",
+                               selection.where, selection.description,
+                               did_you_mean(selection.boundary, names), join(names, ", ")));
+}
+
+std::vector<std::int32_t> select_nodes(const SceneMesh& scene_mesh,
+                                       const NodeSelection& selection) {
+  if (!selection.boundary.empty()) return find_boundary(scene_mesh, selection).nodes;
+  const Mesh& mesh = scene_mesh.mesh;
   const auto dim = static_cast<std::size_t>(mesh.dim);
   std::array<double, 3> low{}, high{};
   low.fill(no_limit);

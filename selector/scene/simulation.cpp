@@ -55,6 +55,9 @@ Vector make_load(const Scene& scene, const Problem& problem, const Model& model)
   for (const NodalForce& force : problem.forces) {
     add_nodal_force(force.node, std::span(force.force).first(dim), load);
   }
+  for (const SurfaceLoad& surface : problem.surface_loads) {
+    add_surface_load(problem.mesh.mesh, surface, load);
+  }
   return load;
 }
 

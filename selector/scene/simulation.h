@@ -24,7 +24,7 @@ namespace elastogen::selector {
 [[nodiscard]] Model make_model(const Problem& problem,
                                std::span<const KernelTable<double>* const> kernels, int threads);
 
-/// Gravity as a consistent body load, and the nodal forces [N].
+/// Gravity as a consistent body load, the nodal forces and those of surface loads [N].
 [[nodiscard]] Vector make_load(const Scene& scene, const Problem& problem, const Model& model);
 
 /// Means and sums over a probe's nodes; in the plane the last components are 0.

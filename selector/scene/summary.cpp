@@ -105,6 +105,17 @@ Json probes_json(const SceneResults& results, std::size_t dim) {
   return list;
 }
 
+Json surface_loads_json(const Problem& problem) {
+  Json list = Json::array();
+  for (const SurfaceLoad& load : problem.surface_loads) {
+    list.push_back({{"load", load.description},
+                    {"faces", load.faces.size()},
+                    {"area", load.area},
+                    {"resultant", load.resultant}});
+  }
+  return list;
+}
+
 std::string kernel_text(const RunSummary& summary, const std::string& association) {
   for (const KernelOrigin& origin : summary.kernels) {
     if (origin.association != association) continue;
@@ -135,6 +146,17 @@ std::string associations_text(const RunSummary& summary) {
     text += fmt::format("  {:<28}{:<9}{:>9}{:>11}{:>15}  {}\n", group.association, group.geometry,
                         group.num_elements, group.num_constants, group.bytes_per_element,
                         kernel_text(summary, group.association));
+  }
+  return text;
+}
+
+std::string surface_loads_text(const Problem& problem) {
+  std::string text;
+  for (const SurfaceLoad& load : problem.surface_loads) {
+    text += fmt::format(
+        "  dead load           {}: {} faces, {:.6g} m^2 at rest, resultant {} N; keeps its "
+        "direction\n",
+        load.description, load.faces.size(), load.area, vector_text(load.resultant, 1));
   }
   return text;
 }
@@ -188,6 +210,9 @@ Json summary_json(const RunSummary& summary) {
   json["associations"] = associations_json(summary);
   json["operations"] = summary.operations;
   json["skipped_operations"] = skipped_operations(summary.operations);
+  if (!summary.problem->surface_loads.empty()) {
+    json["surface_loads"] = surface_loads_json(*summary.problem);
+  }
   json["solver"] = newton_json(summary);
   json["probes"] = probes_json(results, dim);
   if (results.curve)
@@ -210,6 +235,7 @@ std::string summary_text(const RunSummary& summary) {
   std::string text = fmt::format("{}\n  mesh                {} elements, {} nodes\n",
                                  summary.scene->title, mesh.num_elements(), mesh.num_nodes());
   text += associations_text(summary);
+  text += surface_loads_text(*summary.problem);
   text += fmt::format("  solver              {}: {}, {} Newton iterations, ",
                       method_name(summary.scene->solver.method), status_name(newton.status),
                       newton.iterations);

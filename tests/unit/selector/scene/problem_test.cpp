@@ -70,14 +70,14 @@ TEST(SelectNodes, ByBox) {
   NodeSelection selection;
   selection.minimum = {0.5, -1, 0.5};
   selection.maximum = {2, 0.5, 3};
-  const std::vector<std::int32_t> nodes = select_nodes(problem.mesh.mesh, selection);
+  const std::vector<std::int32_t> nodes = select_nodes(problem.mesh, selection);
   EXPECT_EQ(nodes.size(), 2U) << "(1, 0, 1) and (2, 0, 1)";
 }
 
 /// Constraints on the good scene's bar: nodes at (x, y, z) with their fixed components.
 int free_motions(const std::vector<std::pair<std::array<double, 3>, std::string>>& fixed) {
-  const Mesh mesh = prepare_text(good_scene).mesh.mesh;
-  Constraints constraints(mesh.num_nodes(), 3);
+  const SceneMesh mesh = prepare_text(good_scene).mesh;
+  Constraints constraints(mesh.mesh.num_nodes(), 3);
   for (const auto& [at, components] : fixed) {
     NodeSelection selection;
     selection.minimum = selection.maximum = at;
@@ -85,7 +85,7 @@ int free_motions(const std::vector<std::pair<std::array<double, 3>, std::string>
       for (const char c : components) constraints.fix(static_cast<std::size_t>(node), c - 'x');
     }
   }
-  return find_free_rigid_motion(mesh, constraints).count;
+  return find_free_rigid_motion(mesh.mesh, constraints).count;
 }
 
 TEST(RigidMotions, AreCounted) {

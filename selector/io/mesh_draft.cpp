@@ -1,0 +1,310 @@
+#include "selector/io/mesh_draft.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <span>
+
+#include "runtime/error.h"
+#include "selector/io/element_topology.h"
+#include "selector/io/gmsh_elements.h"
+#include "selector/io/mesh_faces.h"
+
+namespace elastogen::selector {
+namespace {
+
+using Point = std::array<double, 3>;
+
+Point point_of(const MeshDraft& draft, std::int32_t node) {
+  const auto at = 3 * static_cast<std::size_t>(node);
+  return {draft.coordinates[at], draft.coordinates[at + 1], draft.coordinates[at + 2]};
+}
+
+Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+double triple(const Point& a, const Point& b, const Point& c) {
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/// Volume of an element, or area of a plane one, over that of a cube or square of its size: by the
+/// divergence theorem, exact for flat faces. Negative where it is inside out.
+double relative_volume(const MeshDraft& draft, const ElementTopology& topology,
+                       std::span<const std::int32_t> nodes) {
+  const Point origin = point_of(draft, nodes[0]);
+  double size = 0;
+  for (const std::int32_t node : nodes) {
+    for (const double x : point_of(draft, node) - origin) size = std::max(size, std::abs(x));
+  }
+  if (size == 0) return 0;
+  double volume = 0;
+  for (const std::vector<int>& face : topology.faces) {
+    const auto corner = [&](std::size_t i) {
+      return point_of(draft, nodes[static_cast<std::size_t>(face[i])]) - origin;
+    };
+    if (draft.dim == 2) {
+      volume += triple(corner(0), corner(1), {0, 0, 1}) / 2;
+    }
+    for (std::size_t i = 1; draft.dim == 3 && i + 1 < face.size(); ++i) {
+      volume += triple(corner(0), corner(i), corner(i + 1)) / 6;
+    }
+  }
+  return volume / std::pow(size, draft.dim);
+}
+
+// A relative volume that rounding cannot tell from 0.
+constexpr double smallest_volume = 1e-12;
+
+std::span<std::int32_t> nodes_of(DraftElements& elements, std::size_t e) {
+  const std::size_t count = elements.nodes.size() / elements.numbers.size();
+  return {elements.nodes.data() + e * count, count};
+}
+
+void mirror(DraftElements& elements) {
+  const auto& known = gmsh_elements();
+  const auto& order = std::find_if(known.begin(), known.end(), [&](const GmshElement& e) {
+                        return e.element == elements.element;
+                      })->mirror;
+  for (std::size_t e = 0; e < elements.numbers.size(); ++e) {
+    const std::span<std::int32_t> nodes = nodes_of(elements, e);
+    const std::vector<std::int32_t> before(nodes.begin(), nodes.end());
+    for (std::size_t a = 0; a < order.size(); ++a) {
+      nodes[a] = before[static_cast<std::size_t>(order[a])];
+    }
+  }
+}
+
+/// A whole list that is inside out follows another convention: it is turned. A single element that
+/// differs from its list is wrong.
+void orient(const std::filesystem::path& file, MeshDraft& draft, DraftElements& elements) {
+  const ElementTopology& topology = element_topology(elements.element);
+  std::vector<double> volumes;
+  for (std::size_t e = 0; e < elements.numbers.size(); ++e) {
+    volumes.push_back(relative_volume(draft, topology, nodes_of(elements, e)));
+  }
+  const auto inverted = [](double volume) { return volume < -smallest_volume; };
+  if (std::all_of(volumes.begin(), volumes.end(), inverted)) {
+    mirror(elements);
+    // A plane mesh is only seen from its other side.
+    if (draft.dim == 3) {
+      draft.notes.push_back(
+          fmt::format("{}: all {} {} of region '{}' are listed inside out: they were turned",
+                      file.filename().string(), volumes.size(), topology.plural, elements.region));
+    }
+    return;
+  }
+  const auto bad = std::find_if(volumes.begin(), volumes.end(),
+                                [](double volume) { return !(volume > smallest_volume); });
+  if (bad == volumes.end()) return;
+  const auto first = static_cast<std::size_t>(bad - volumes.begin());
+  const auto count = std::count_if(volumes.begin(), volumes.end(),
+                                   [](double volume) { return !(volume > smallest_volume); });
+  std::vector<std::uint64_t> nodes;
+  for (const std::int32_t node : nodes_of(elements, first)) {
+    nodes.push_back(draft.node_numbers[static_cast<std::size_t>(node)]);
+  }
+  throw InputError(fmt::format(
+      "{}: element {} ({}, nodes {}) is {}: its {} is {:.3g} of that of a {} of its size; {} of {} "
+      "{} in region '{}' are such: repair the mesh",
+      file.string(), elements.numbers[first], elements.element, fmt::join(nodes, " "),
+      inverted(*bad) ? "inverted" : "degenerate", draft.dim == 3 ? "volume" : "area", *bad,
+      draft.dim == 3 ? "cube" : "square", count, volumes.size(), topology.plural, elements.region));
+}
+
+void check_coordinates(const std::filesystem::path& file, const MeshDraft& draft) {
+  for (std::size_t node = 0; node < draft.node_numbers.size(); ++node) {
+    const Point point = point_of(draft, static_cast<std::int32_t>(node));
+    for (const double x : point) {
+      if (std::isfinite(x)) continue;
+      throw InputError(fmt::format("{}: node {} has the coordinate {}: must be finite",
+                                   file.string(), draft.node_numbers[node], x));
+    }
+  }
+  if (draft.dim == 3) return;
+  // Only nodes of elements count: others are dropped.
+  Point low, high;
+  low.fill(std::numeric_limits<double>::infinity());
+  high.fill(-std::numeric_limits<double>::infinity());
+  for (const DraftElements& elements : draft.elements) {
+    for (const std::int32_t node : elements.nodes) {
+      const Point point = point_of(draft, node);
+      for (std::size_t c = 0; c < 3; ++c) {
+        low[c] = std::min(low[c], point[c]);
+        high[c] = std::max(high[c], point[c]);
+      }
+    }
+  }
+  if (high[2] - low[2] > 1e-9 * std::max(high[0] - low[0], high[1] - low[1])) {
+    throw InputError(fmt::format(
+        "{}: it has triangles and quadrilaterals, but no solid elements, and z goes from {} to {}: "
+        "a surface in space cannot be computed; mesh the volume (gmsh: -3), or lay it in the x-y "
+        "plane",
+        file.string(), low[2], high[2]));
+  }
+}
+
+void check_repeated(const std::filesystem::path& file, MeshDraft& draft) {
+  std::map<std::vector<std::int32_t>, std::uint64_t> seen;
+  for (DraftElements& elements : draft.elements) {
+    for (std::size_t e = 0; e < elements.numbers.size(); ++e) {
+      const std::span<std::int32_t> nodes = nodes_of(elements, e);
+      std::vector<std::int32_t> key(nodes.begin(), nodes.end());
+      std::sort(key.begin(), key.end());
+      const auto [first, is_new] = seen.emplace(std::move(key), elements.numbers[e]);
+      if (is_new) continue;
+      throw InputError(fmt::format(
+          "{}: elements {} and {} have the same nodes: remove one (a msh 2 file repeats an "
+          "element for each physical group that it is in: keep the groups of solids apart)",
+          file.string(), first->second, elements.numbers[e]));
+    }
+  }
+}
+
+/// Joins lists to blocks, in the order of first appearance.
+void make_blocks(const MeshDraft& draft, MeshFile& result) {
+  Mesh& mesh = result.mesh;
+  std::map<std::array<std::string, 3>, std::size_t> block_of;
+  std::vector<std::vector<std::uint64_t>> numbers;
+  for (const DraftElements& elements : draft.elements) {
+    const auto [entry, is_new] = block_of.emplace(
+        std::array{elements.region, elements.element, elements.association}, mesh.blocks.size());
+    auto& names = mesh.region_names;
+    auto region = std::find(names.begin(), names.end(), elements.region);
+    if (region == names.end()) region = names.insert(names.end(), elements.region);
+    if (is_new) {
+      ElementBlock block;
+      block.element = elements.element;
+      block.nodes_per_element = element_topology(elements.element).num_nodes;
+      mesh.blocks.push_back(std::move(block));
+      numbers.emplace_back();
+      result.associations.push_back(elements.association);
+    }
+    ElementBlock& block = mesh.blocks[entry->second];
+    block.nodes.insert(block.nodes.end(), elements.nodes.begin(), elements.nodes.end());
+    block.region.insert(block.region.end(), elements.numbers.size(),
+                        static_cast<std::int32_t>(region - names.begin()));
+    auto& own = numbers[entry->second];
+    own.insert(own.end(), elements.numbers.begin(), elements.numbers.end());
+  }
+  for (const auto& own : numbers) {
+    result.element_numbers.insert(result.element_numbers.end(), own.begin(), own.end());
+  }
+}
+
+/// Numbers the nodes that elements have, -1 for others, and sets the positions.
+std::vector<std::int32_t> number_nodes(const std::filesystem::path& file, const MeshDraft& draft,
+                                       MeshFile& result) {
+  std::vector<std::int32_t> numbers(draft.node_numbers.size(), -1);
+  for (const ElementBlock& block : result.mesh.blocks) {
+    for (const std::int32_t node : block.nodes) numbers[static_cast<std::size_t>(node)] = 0;
+  }
+  std::int32_t next = 0;
+  for (std::size_t node = 0; node < numbers.size(); ++node) {
+    if (numbers[node] < 0) continue;
+    numbers[node] = next++;
+    const Point point = point_of(draft, static_cast<std::int32_t>(node));
+    result.mesh.positions.insert(result.mesh.positions.end(), point.begin(),
+                                 point.begin() + draft.dim);
+  }
+  const std::size_t dropped = numbers.size() - static_cast<std::size_t>(next);
+  if (dropped > 0) {
+    result.notes.push_back(fmt::format("{}: {} nodes belong to no element: they were left out",
+                                       file.filename().string(), dropped));
+  }
+  for (ElementBlock& block : result.mesh.blocks) {
+    for (std::int32_t& node : block.nodes) node = numbers[static_cast<std::size_t>(node)];
+  }
+  return numbers;
+}
+
+/// Keeps what lies on the body.
+void take_boundaries(const std::filesystem::path& file, const MeshDraft& draft,
+                     const std::vector<std::int32_t>& numbers, MeshFile& result) {
+  const auto renumber = [&](const std::vector<std::int32_t>& nodes) {
+    std::vector<std::int32_t> kept;
+    for (const std::int32_t node : nodes) {
+      const std::int32_t number = numbers[static_cast<std::size_t>(node)];
+      if (number >= 0) kept.push_back(number);
+    }
+    return kept;
+  };
+  for (const MeshBoundary& source : draft.boundaries) {
+    MeshBoundary boundary{source.name, renumber(source.nodes), {}};
+    for (const std::vector<std::int32_t>& face : source.faces) {
+      std::vector<std::int32_t> kept = renumber(face);
+      if (kept.size() == face.size()) boundary.faces.push_back(std::move(kept));
+    }
+    std::sort(boundary.nodes.begin(), boundary.nodes.end());
+    const std::size_t lost = source.nodes.size() - boundary.nodes.size();
+    if (lost > 0) {
+      result.notes.push_back(
+          fmt::format("{}: boundary '{}': {} of its {} nodes belong to no element: they were left "
+                      "out",
+                      file.filename().string(), source.name, lost, source.nodes.size()));
+    }
+    if (!boundary.nodes.empty()) result.boundaries.push_back(std::move(boundary));
+  }
+}
+
+void check_faces(const std::filesystem::path& file, const MeshFile& mesh) {
+  const FaceMatching matching = match_faces(mesh.mesh);
+  if (matching.overused.empty()) return;
+  const MeshFace& face = matching.overused.front();
+  std::size_t element = face.element;
+  for (std::size_t b = 0; b < face.block; ++b) element += mesh.mesh.blocks[b].num_elements();
+  throw InputError(
+      fmt::format("{}: a face of element {} belongs to more than two elements ({} such faces): "
+                  "elements overlap",
+                  file.string(), mesh.element_numbers[element], matching.overused.size()));
+}
+
+/// Nodes at the same place are legal (a crack), but mostly a mesh that was never joined.
+void note_coincident_nodes(const std::filesystem::path& file, const MeshDraft& draft,
+                           const std::vector<std::int32_t>& numbers, MeshFile& result) {
+  double extent = 0;
+  for (const double x : draft.coordinates) extent = std::max(extent, std::abs(x));
+  const double grid = 1e-9 * extent;
+  std::map<std::array<double, 3>, std::size_t> first_at;
+  std::optional<std::pair<std::size_t, std::size_t>> example;
+  std::size_t count = 0;
+  for (std::size_t node = 0; node < numbers.size(); ++node) {
+    if (numbers[node] < 0 || grid == 0) continue;
+    Point cell = point_of(draft, static_cast<std::int32_t>(node));
+    for (double& x : cell) x = std::round(x / grid);
+    const auto [entry, is_new] = first_at.emplace(cell, node);
+    if (is_new) continue;
+    ++count;
+    if (!example) example = {entry->second, node};
+  }
+  if (!example) return;
+  result.notes.push_back(fmt::format(
+      "{}: {} nodes lie where another node does (nodes {} and {} first): the body is not joined "
+      "there; if it should be, merge them (gmsh: Coherence Mesh;)",
+      file.filename().string(), count, draft.node_numbers[example->first],
+      draft.node_numbers[example->second]));
+}
+
+}  // namespace
+
+MeshFile finish_mesh(const std::filesystem::path& file, MeshDraft draft) {
+  check_coordinates(file, draft);
+  for (DraftElements& elements : draft.elements) orient(file, draft, elements);
+  check_repeated(file, draft);
+  MeshFile result;
+  result.mesh.dim = draft.dim;
+  result.notes = draft.notes;
+  make_blocks(draft, result);
+  const std::vector<std::int32_t> numbers = number_nodes(file, draft, result);
+  take_boundaries(file, draft, numbers, result);
+  check_faces(file, result);
+  note_coincident_nodes(file, draft, numbers, result);
+  return result;
+}
+
+}  // namespace elastogen::selector

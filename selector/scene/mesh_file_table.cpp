@@ -1,0 +1,72 @@
+#include "selector/scene/mesh_file_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "selector/scene/located_error.h"
+
+namespace elastogen::selector {
+namespace {
+
+/// The choice in a table, which may be none.
+std::optional<ElementChoice> read_choice(const TomlTable& table) {
+  if (!table.has("law") && !table.has("associations")) {
+    if (table.has("split")) table.fail("split", "goes with 'law', which is missing");
+    return std::nullopt;
+  }
+  ElementChoice choice;
+  choice.path = table.path();
+  if (table.has("law")) {
+    if (table.has("associations")) table.fail("associations", "give either these or 'law'");
+    choice.where = table.where("law");
+    choice.law = table.string("law");
+    if (table.has("split")) choice.split = table.string("split");
+    return choice;
+  }
+  if (table.has("split")) table.fail("split", "goes with 'law'; associations name their splits");
+  choice.where = table.where("associations");
+  for (const std::string& text : table.strings("associations")) {
+    choice.associations.push_back(with_location(choice.where, table.path_of("associations"), [&] {
+      return symgen::AssociationId::parse(text);
+    }));
+    const std::string& element = choice.associations.back().element;
+    const auto same = std::count_if(choice.associations.begin(), choice.associations.end(),
+                                    [&](const auto& id) { return id.element == element; });
+    if (same > 1) {
+      table.fail("associations", fmt::format("there are two for {}: give one", element));
+    }
+  }
+  return choice;
+}
+
+MeshPartDescription read_part(const TomlTable& table) {
+  table.allow_only({"region", "law", "split", "associations"});
+  std::optional<ElementChoice> choice = read_choice(table);
+  if (!choice) {
+    table.fail("needs law = \"stvk\", or associations = [\"stvk-tet4-q1-none\"]");
+  }
+  return {table.string("region"), table.where("region"), std::move(*choice)};
+}
+
+}  // namespace
+
+MeshFileDescription read_mesh_file_table(const TomlTable& table) {
+  table.allow_only({"file", "scale", "law", "split", "associations", "part"});
+  MeshFileDescription mesh;
+  mesh.path = table.path();
+  mesh.where = table.where("file");
+  mesh.file = std::filesystem::absolute(table.file()).parent_path() / table.string("file");
+  if (table.has("scale")) mesh.scale = table.number("scale", positive_number);
+  mesh.choice = read_choice(table);
+  for (const TomlTable& part : table.tables("part")) {
+    mesh.parts.push_back(read_part(part));
+    const std::string& region = mesh.parts.back().region;
+    const auto same = std::count_if(mesh.parts.begin(), mesh.parts.end(),
+                                    [&](const auto& p) { return p.region == region; });
+    if (same > 1) part.fail("region", "another part has this region: a region has one");
+  }
+  return mesh;
+}
+
+}  // namespace elastogen::selector
