@@ -32,6 +32,9 @@ void ConjugateGradient::update() {
   model_.diagonal_blocks(blocks_);
   const std::size_t dim = static_cast<std::size_t>(model_.dim());
   for (std::size_t dof = 0; dof < model_.num_dofs(); ++dof) {
+    if (added_diagonal_.size() > 0) {
+      blocks_[dof * dim + dof % dim] += added_diagonal_[static_cast<Eigen::Index>(dof)];
+    }
     diagonal_[static_cast<Eigen::Index>(dof)] = blocks_[dof * dim + dof % dim];
   }
   scale_ = shift_scale(diagonal_);
@@ -119,7 +122,7 @@ double ConjugateGradient::precondition() {
   return sum;
 }
 
-// product_ = (K + s D) direction_ on the free degrees of freedom.
+// product_ = (K + A + s D) direction_ on the free degrees of freedom.
 void ConjugateGradient::multiply() {
   const Stopwatch watch(times_.product);
   if (shift_ == 0) {
@@ -127,6 +130,7 @@ void ConjugateGradient::multiply() {
   } else {
     product_ = shift_ * scale_.cwiseProduct(direction_);
   }
+  if (added_diagonal_.size() > 0) product_ += added_diagonal_.cwiseProduct(direction_);
   model_.product(direction_, -1, product_);
   constraints_.project(product_);
 }

@@ -27,6 +27,7 @@ class Constraints {
   /// @throws InputError  also if the value is not finite
   void prescribe(std::size_t node, int component, double value);
 
+  [[nodiscard]] int dim() const { return dim_; }
   [[nodiscard]] std::size_t num_dofs() const { return constrained_.size(); }
   [[nodiscard]] std::size_t num_constrained() const { return num_constrained_; }
   [[nodiscard]] std::size_t num_free() const { return num_dofs() - num_constrained_; }

@@ -1,8 +1,9 @@
-// Linear solvers for the tangent, (K + s D) x = b on the free degrees of freedom.
+// Linear solvers for the tangent, (K + A + s D) x = b on the free degrees of freedom.
 //
-// K is the model's stiffness about its linearisation point; s >= 0 is the shift that makes an
-// indefinite K positive definite, relative to D = shift_scale(diagonal of K). Constrained degrees
-// of freedom of x are 0.
+// A is a diagonal that the caller adds (0 unless set_added_diagonal is called: the mass of a time
+// step). K is the model's stiffness about its linearisation point; s >= 0 is the shift that makes
+// an indefinite K positive definite, relative to D = shift_scale(diagonal of K). Constrained
+// degrees of freedom of x are 0.
 #pragma once
 
 #include <memory>
@@ -45,28 +46,32 @@ class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
 
+  /// Sets A [N/m], for all degrees of freedom and from the next update on.
+  void set_added_diagonal(const ConstVectorRef& added) { added_diagonal_ = added; }
+
   /// Takes up the model's linearisation point.
   virtual void update() = 0;
 
   /// Sets the shift s for the solves that follow.
-  /// @return false if K + s D is seen not to be positive definite (a factorisation failed); always
-  ///         true for conjugate gradient, which sees it while solving
+  /// @return false if K + A + s D is seen not to be positive definite (a factorisation failed);
+  ///         always true for conjugate gradient, which sees it while solving
   [[nodiscard]] virtual bool set_shift(double shift) = 0;
 
   /// Solves for x, starting from 0, to |b - A x| <= tolerance * |b| (Cholesky: exactly).
   /// b is read on the free degrees of freedom only.
   virtual LinearSolveReport solve(const ConstVectorRef& b, double tolerance, VectorRef x) = 0;
 
-  /// Diagonal of K [N/m] at the last update.
+  /// Diagonal of K + A [N/m] at the last update.
   [[nodiscard]] virtual const Vector& diagonal() const = 0;
 
   [[nodiscard]] const LinearSolverTimes& times() const { return times_; }
 
  protected:
+  Vector added_diagonal_;  // A, or empty
   LinearSolverTimes times_;
 };
 
-/// D of the shift from the diagonal of K: its absolute values, at least 1e-6 of their mean.
+/// D of the shift from the diagonal of K + A: its absolute values, at least 1e-6 of their mean.
 [[nodiscard]] Vector shift_scale(const Vector& diagonal);
 
 /// @throws InternalError  the model's kernels lack an operation that the method needs

@@ -85,6 +85,7 @@ void SparseCholesky::update() {
     const Stopwatch watch(times_.assembly);
     model_.assemble(stiffness_);
     for (Eigen::Index k = 0; k < diagonal_.size(); ++k) diagonal_[k] = stiffness_.coeff(k, k);
+    if (added_diagonal_.size() > 0) diagonal_ += added_diagonal_;
   }
   if (sources_.empty()) {
     const Stopwatch watch(times_.factorization);
@@ -97,12 +98,16 @@ bool SparseCholesky::set_shift(double shift) {
   for (std::size_t k = 0; k < sources_.size(); ++k) {
     free_matrix_.valuePtr()[k] = stiffness_.valuePtr()[sources_[k]];
   }
+  Vector added = added_diagonal_;
   if (shift > 0) {
-    const Vector scale = shift_scale(diagonal_);
+    if (added.size() == 0) added = Vector::Zero(diagonal_.size());
+    added += shift * shift_scale(diagonal_);
+  }
+  if (added.size() > 0) {
     for (std::size_t dof = 0; dof < free_numbers_.size(); ++dof) {
       if (free_numbers_[dof] < 0) continue;
       const auto value = diagonal_values_[static_cast<std::size_t>(free_numbers_[dof])];
-      free_matrix_.valuePtr()[value] += shift * scale[static_cast<Eigen::Index>(dof)];
+      free_matrix_.valuePtr()[value] += added[static_cast<Eigen::Index>(dof)];
     }
   }
   factor_.factorize(free_matrix_);
