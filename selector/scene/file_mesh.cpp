@@ -65,6 +65,12 @@ void check_all_used(const ElementChoice& choice, const std::set<std::string>& us
 SceneMesh make_file_mesh(const MeshFileDescription& description) {
   MeshFile file = with_location(description.where, description.path + ".file",
                                 [&] { return read_mesh_file(description.file); });
+  if (file.mesh.dim != description.dim) {
+    throw InputError(fmt::format(
+        "{}: {}.file: the mesh has {} dimensions, but the scene has {}: set {}.dim = {}",
+        description.where, description.path, file.mesh.dim, description.dim, description.path,
+        file.mesh.dim));
+  }
   for (double& x : file.mesh.positions) x *= description.scale;
   check_regions(description, file.mesh);
 

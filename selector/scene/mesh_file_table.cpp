@@ -52,11 +52,15 @@ MeshPartDescription read_part(const TomlTable& table) {
 }  // namespace
 
 MeshFileDescription read_mesh_file_table(const TomlTable& table) {
-  table.allow_only({"file", "scale", "law", "split", "associations", "part"});
+  table.allow_only({"file", "dim", "scale", "law", "split", "associations", "part"});
   MeshFileDescription mesh;
   mesh.path = table.path();
   mesh.where = table.where("file");
   mesh.file = std::filesystem::absolute(table.file()).parent_path() / table.string("file");
+  if (table.has("dim")) {
+    mesh.dim = table.integer("dim", 2);
+    if (mesh.dim > 3) table.fail("dim", "must be 2 (plane strain) or 3");
+  }
   if (table.has("scale")) mesh.scale = table.number("scale", positive_number);
   mesh.choice = read_choice(table);
   for (const TomlTable& part : table.tables("part")) {

@@ -32,6 +32,7 @@ struct MeshFileDescription {
   std::string path;   ///< "mesh"
   std::string where;  ///< "scene.toml:14": the file's key, for messages
   std::filesystem::path file;
+  int dim = 3;                          ///< 2: a plane mesh; checked against the file
   double scale = 1;                     ///< metres per unit of the file
   std::optional<ElementChoice> choice;  ///< of regions without a part
   std::vector<MeshPartDescription> parts;

@@ -74,7 +74,7 @@ Constraints make_constraints(const Scene& scene, const SceneMesh& mesh) {
   Constraints constraints(mesh.mesh.num_nodes(), mesh.mesh.dim);
   for (const ConstraintDescription& description : scene.constraints) {
     for (const std::int32_t node : select_nodes(mesh, description.nodes)) {
-      for (int c = 0; c < mesh.dim; ++c) {
+      for (int c = 0; c < mesh.mesh.dim; ++c) {
         const std::optional<double>& value = description.displacement[static_cast<std::size_t>(c)];
         if (!value) continue;
         with_location(description.nodes.where, "constraint",

@@ -287,7 +287,9 @@ OutputSettings read_output(const TomlTable& table, bool has_curve) {
 /// A bar without width is plane, a mesh is what its first block is.
 int dimension_of(const TomlTable& scene) {
   if (scene.has("bar")) return scene.table("bar").has("width") ? 3 : 2;
-  const std::vector<TomlTable> blocks = scene.table("mesh").tables("block");
+  const TomlTable mesh = scene.table("mesh");
+  if (mesh.has("file")) return read_mesh_file_table(mesh).dim;
+  const std::vector<TomlTable> blocks = mesh.tables("block");
   return blocks.empty() ? 3 : symgen::find_element(read_association(blocks[0]).element).dim;
 }
 

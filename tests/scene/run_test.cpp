@@ -246,7 +246,7 @@ std::string cantilever(const char* law, const char* plane_element, const char* s
       law, plane ? plane_element : solid_element, plane ? "\"x\", \"y\"" : "\"x\", \"y\", \"z\"",
       plane ? ""
             : "[[constraint]]\nbox = { min = [0.1, 0, 0], max = [4, 1, 1] }\nfixed = [\"y\"]\n",
-      fmt::format(plane ? "[0, -{}]" : "[0, 0, -{}]", force));
+      fmt::format("[0, {}-{}]", plane ? "" : "0, ", force));
 }
 
 TEST_F(Run, QuadrilateralsAreHexahedraHeldInPlaneStrain) {
