@@ -11,16 +11,13 @@
 # association depend on the generator and on the file of its law alone: editing a law rebuilds
 # exactly its kernels, and editing a comment in it rebuilds none.
 #
-# Needs the target elastogen (or ELASTOGEN_EXECUTABLE), ELASTOGEN_LAW_FOLDER and
-# ELASTOGEN_INCLUDE_FOLDER (the root of runtime/kernel_abi.h); the defaults are those of the source
-# tree that this file stands in.
+# The generator is ELASTOGEN_EXECUTABLE where set, else the target elastogen::elastogen, else the
+# program in PATH. Shipped laws are those beside the folder that this file stands in, in the source
+# tree as installed.
 include_guard()
 
-get_filename_component(_elastogen_root "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
-set(ELASTOGEN_LAW_FOLDER "${_elastogen_root}/laws" CACHE PATH "Shipped law files")
-set(ELASTOGEN_INCLUDE_FOLDER "${_elastogen_root}" CACHE PATH "Root of runtime/kernel_abi.h")
 set(ELASTOGEN_EXECUTABLE "" CACHE FILEPATH
-  "Generator; empty: the target elastogen, or the program in PATH")
+  "Generator; empty: the target elastogen::elastogen, or the program in PATH")
 
 # The processor that builds is taken to be the one that runs; clear -march for others. A batch fills
 # one 64-byte register, which gcc halves unless told.
@@ -31,6 +28,33 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
 endif()
 set(ELASTOGEN_KERNEL_FLAGS "${_elastogen_flags}" CACHE STRING
   "Compiler options of generated kernels; used for nothing else")
+
+# Makes `target`, a static library of kernel sources, compiled with ELASTOGEN_KERNEL_FLAGS.
+function(_elastogen_kernel_library target)
+  add_library(${target} STATIC ${ARGN})
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PRIVATE ${ELASTOGEN_KERNEL_FLAGS})
+  target_link_libraries(${target} PUBLIC elastogen::kernel_headers)
+endfunction()
+
+# Sets `variable` to the generator, as a command of a build rule.
+function(_elastogen_find_generator variable)
+  if(ELASTOGEN_EXECUTABLE)
+    set(${variable} "${ELASTOGEN_EXECUTABLE}" PARENT_SCOPE)
+    return()
+  endif()
+  if(TARGET elastogen::elastogen)
+    set(${variable} $<TARGET_FILE:elastogen::elastogen> PARENT_SCOPE)
+    return()
+  endif()
+  find_program(program elastogen NO_CACHE)
+  if(NOT program)
+    message(FATAL_ERROR "elastogen_add_kernels: there is no generator: elastogen was built with "
+      "ELASTOGEN_GENERATOR=OFF and no program 'elastogen' is in PATH; set ELASTOGEN_EXECUTABLE, or "
+      "link elastogen::default_kernels")
+  endif()
+  set(${variable} "${program}" PARENT_SCOPE)
+endfunction()
 
 # Sets `variable` to the file of a law: the first folder that has it.
 function(_elastogen_find_law variable law)
@@ -54,14 +78,7 @@ function(elastogen_add_kernels target)
   if(NOT ARG_ASSOCIATIONS)
     message(FATAL_ERROR "elastogen_add_kernels(${target}): no ASSOCIATIONS")
   endif()
-  set(generator "${ELASTOGEN_EXECUTABLE}")
-  if(NOT generator)
-    if(TARGET elastogen)
-      set(generator elastogen)
-    else()
-      find_program(generator elastogen REQUIRED NO_CACHE)
-    endif()
-  endif()
+  _elastogen_find_generator(generator)
   set(options "")
   set(law_folders "")
   foreach(folder IN LISTS ARG_LAWS)
@@ -69,8 +86,9 @@ function(elastogen_add_kernels target)
     list(APPEND law_folders "${folder}")
     list(APPEND options --laws "${folder}")
   endforeach()
-  list(APPEND law_folders "${ELASTOGEN_LAW_FOLDER}")
-  list(APPEND options --laws "${ELASTOGEN_LAW_FOLDER}")
+  get_filename_component(shipped_laws "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../laws" ABSOLUTE)
+  list(APPEND law_folders "${shipped_laws}")
+  list(APPEND options --laws "${shipped_laws}")
   if(ARG_PROFILE)
     list(APPEND options --profile ${ARG_PROFILE})
   endif()
@@ -97,9 +115,6 @@ function(elastogen_add_kernels target)
     list(APPEND include_folders "${folder}")
   endforeach()
 
-  add_library(${target} STATIC ${sources})
-  target_compile_features(${target} PUBLIC cxx_std_20)
-  target_compile_options(${target} PRIVATE ${ELASTOGEN_KERNEL_FLAGS})
-  target_include_directories(${target}
-    PUBLIC ${include_folders} "${ELASTOGEN_INCLUDE_FOLDER}")
+  _elastogen_kernel_library(${target} ${sources})
+  target_include_directories(${target} PUBLIC ${include_folders})
 endfunction()

@@ -216,6 +216,8 @@ void check_association(const AssociationId& id, const Law& law) {
   }
 }
 
+std::string generator_fingerprint() { return ELASTOGEN_GENERATOR_FINGERPRINT; }
+
 std::string association_hash(const AssociationId& id, const Law& law,
                              const GenerateOptions& options) {
   const std::string chosen =
@@ -223,7 +225,7 @@ std::string association_hash(const AssociationId& id, const Law& law,
                   options.grouping == Grouping::algorithm6 ? "algorithm6" : "minimum-cut",
                   options.derivation == Derivation::ginac ? "ginac" : "dag",
                   options.stabilise ? "stabilised" : "textbook", kernel_abi_version);
-  return content_hash({generator_version, ELASTOGEN_GENERATOR_FINGERPRINT, chosen, law.text});
+  return content_hash({generator_version, chosen, law.text});
 }
 
 GeneratedAssociation generate_association(const AssociationId& id, const Law& law,

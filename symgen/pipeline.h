@@ -86,7 +86,7 @@ struct GeneratedAssociation {
   AssociationId id;
   std::string chosen_split;  ///< for `auto`: the split taken; else id.split
   std::string split_reason;  ///< why, in a sentence
-  std::string hash;          ///< of law text, association, options, generator version
+  std::string hash;          ///< association_hash
   std::string header;        ///< C++ source of the kernel templates, `identifier().h`
   std::string opencl;        ///< OpenCL C source of the same kernels, `identifier().cl`
   double seconds = 0;        ///< time that generation took
@@ -105,7 +105,13 @@ struct Instantiation {
 /// @throws InputError  when the law cannot have the association's quadrature
 void check_association(const AssociationId& id, const Law& law);
 
-/// Content hash of what `generate_association` would make; needs no generation.
+/// Fingerprint of the generator's own sources: two generators of equal fingerprint make the same of
+/// equal input.
+[[nodiscard]] std::string generator_fingerprint();
+
+/// Content hash of what `generate_association` is asked for: association, law text, options, version
+/// of generator and kernel interface. It stands in the generated text; the fingerprint does not, so
+/// that a text changes only when something in it does.
 [[nodiscard]] std::string association_hash(const AssociationId& id, const Law& law,
                                            const GenerateOptions& options);
 

@@ -54,24 +54,20 @@ int run_generate(const GenerateCommandOptions& options, bool profile_is_given,
     for (const std::string& target : targets) {
       symgen::GenerateOptions generate = context.generate;
       if (!profile_is_given) generate.profile = default_profiles.at(target);
-      if (folder.is_up_to_date(id, target, symgen::association_hash(id, law, generate))) {
-        fmt::print("up to date  {}  {}\n", id.text(), target);
-        continue;
-      }
       if (!by_profile.contains(generate.profile)) {
         by_profile.emplace(generate.profile, symgen::generate_association(id, law, generate));
       }
       const symgen::GeneratedAssociation& generated = by_profile.at(generate.profile);
-      const std::size_t bytes =
+      const bool is_new =
           folder.write(generated, {target, generate.profile},
                        target == "cpu" ? cpu_files(generated, law) : opencl_files(generated));
-      fmt::print("generated   {}  {}  {:.2f} s, {} bytes\n", id.text(), target, generated.seconds,
-                 bytes);
+      fmt::print("{}  {}  {}  {:.2f} s\n", is_new ? "generated " : "up to date", id.text(), target,
+                 generated.seconds);
       std::fflush(stdout);
-      ++num_generated;
+      if (is_new) ++num_generated;
     }
   }
-  fmt::print("{} of {} generated in {}\n", num_generated, ids.size() * targets.size(),
+  fmt::print("{} of {} new or changed in {}\n", num_generated, ids.size() * targets.size(),
              options.folder);
   return 0;
 }

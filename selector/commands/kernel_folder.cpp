@@ -88,29 +88,16 @@ KernelFolder::KernelFolder(fs::path folder)
   manifest_["associations"] = std::move(found["associations"]);
 }
 
-bool KernelFolder::holds(const std::string& file, const std::string& hash) const {
+bool KernelFolder::write_if_changed(const std::string& file, const std::string& text) const {
   std::error_code error;
   const fs::path path = folder_ / file;
-  return fs::is_regular_file(path, error) &&
-         symgen::content_hash({read_text_file(path, "generated")}) == hash;
-}
-
-bool KernelFolder::is_up_to_date(const symgen::AssociationId& id, const std::string& target,
-                                 const std::string& hash) const {
-  const nlohmann::json& associations = manifest_["associations"];
-  const auto targets = associations.find(id.text());
-  if (targets == associations.end() || !targets->is_object()) return false;
-  const auto entry = targets->find(target);
-  if (entry == targets->end() || !entry->is_object()) return false;
-  if (entry->value("hash", "") != hash || !entry->contains("files")) return false;
-  for (const auto& [file, file_hash] : (*entry)["files"].items()) {
-    if (!file_hash.is_string() || !holds(file, file_hash.get<std::string>())) return false;
-  }
+  if (fs::is_regular_file(path, error) && read_text_file(path, "generated") == text) return false;
+  write_text_file(path, text);
   return true;
 }
 
-std::size_t KernelFolder::write(const symgen::GeneratedAssociation& generated,
-                                const KernelTarget& target, const SourceFiles& files) {
+bool KernelFolder::write(const symgen::GeneratedAssociation& generated, const KernelTarget& target,
+                         const SourceFiles& files) {
   nlohmann::json entry = {{"hash", generated.hash},
                           {"profile", target.profile},
                           {"split", generated.chosen_split},
@@ -119,18 +106,15 @@ std::size_t KernelFolder::write(const symgen::GeneratedAssociation& generated,
   for (const symgen::VariantReport& variant : generated.variants) {
     entry["variants"].push_back(variant_summary(variant));
   }
-  std::size_t bytes = 0;
+  bool is_new = false;
   for (const auto& [name, text] : files) {
-    const std::string hash = symgen::content_hash({text});
-    entry["files"][name] = hash;
-    if (!holds(name, hash)) write_text_file(folder_ / name, text);
-    bytes += text.size();
+    entry["files"][name] = symgen::content_hash({text});
+    is_new = write_if_changed(name, text) || is_new;
   }
   nlohmann::json& targets = manifest_["associations"][generated.id.text()];
   if (!targets.is_object()) targets = nlohmann::json::object();
   targets[target.name] = std::move(entry);
-  write_text_file(folder_ / manifest_name, manifest_.dump(2) + "\n");
-  return bytes;
+  return write_if_changed(manifest_name, manifest_.dump(2) + "\n") || is_new;
 }
 
 }  // namespace elastogen::selector

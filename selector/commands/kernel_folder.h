@@ -33,27 +33,24 @@ struct KernelTarget {
 };
 
 /// The folder that `generate` writes to. Its `manifest.json` holds for each association and
-/// target, sorted, the hash of what it was made from, the hashes of its files, and what its kernels
+/// target, sorted, the hash of what was asked for, the hashes of its files, and what its kernels
 /// cost; no dates, no paths, so equal content is equal bytes. Associations that are in it already
-/// stay.
+/// stay. Kernels are always generated anew, in a fraction of a second, and compared with what is
+/// there: so neither an edited file nor another generator is ever taken for up to date.
 class KernelFolder {
  public:
   /// Reads the folder's manifest, if there is one.
   /// @throws InputError  when the manifest is not one of ours
   explicit KernelFolder(std::filesystem::path folder);
 
-  /// Whether the files of an association for a target are there, unchanged, and made from this
-  /// hash.
-  [[nodiscard]] bool is_up_to_date(const symgen::AssociationId& id, const std::string& target,
-                                   const std::string& hash) const;
-
-  /// Writes files that differ from what is there (equal ones keep their time stamp), then the
-  /// manifest. Returns the files' size in bytes.
-  std::size_t write(const symgen::GeneratedAssociation& generated, const KernelTarget& target,
-                    const SourceFiles& files);
+  /// Writes files that differ from what is there, then the manifest; equal ones keep their time
+  /// stamp. Returns whether any differed.
+  bool write(const symgen::GeneratedAssociation& generated, const KernelTarget& target,
+             const SourceFiles& files);
 
  private:
-  [[nodiscard]] bool holds(const std::string& file, const std::string& content_hash) const;
+  /// Returns whether the file was not there, or another.
+  bool write_if_changed(const std::string& file, const std::string& text) const;
 
   std::filesystem::path folder_;
   nlohmann::json manifest_;

@@ -40,8 +40,9 @@ std::string cache_key(const KernelRequest& request, const std::string& hash,
   const std::string command = join(compiler.command, " ");
   const std::string flags = join(compiler.flags, " ");
   const std::string processor = processor_identity();
-  std::vector<std::string_view> parts = {hash,  symbol,    operation_text,  command,
-                                         flags, processor, compiler.version};
+  const std::string generator = symgen::generator_fingerprint();
+  std::vector<std::string_view> parts = {hash,    generator, symbol,    operation_text,
+                                         command, flags,     processor, compiler.version};
   for (const EmbeddedHeader& header : embedded_headers()) parts.push_back(header.text);
   return request.id.identifier() + "-" + symgen::content_hash(parts);
 }

@@ -4,11 +4,10 @@
 #include <filesystem>
 #include <map>
 
+#include "cmake_project.h"
 #include "selector/support/files.h"
-#include "selector/support/process.h"
-#include "temporary_folder.h"
 
-namespace elastogen::selector {
+namespace elastogen::test {
 namespace {
 namespace fs = std::filesystem;
 
@@ -16,26 +15,16 @@ class KernelConsumer : public ::testing::Test {
  protected:
   KernelConsumer() {
     fs::copy(ELASTOGEN_SOURCE_DIR "/laws", laws());
-    const ProcessResult result = run_process(
-        {CMAKE_PROGRAM, "-G", BUILD_GENERATOR, "-S", ELASTOGEN_SOURCE_DIR "/tests/consumer/kernels",
-         "-B", build().string(), "-DCMAKE_CXX_COMPILER=" CXX_COMPILER,
-         "-DELASTOGEN_SOURCE=" ELASTOGEN_SOURCE_DIR,
-         "-DELASTOGEN_EXECUTABLE=" ELASTOGEN_BINARY_DIR "/bin/elastogen",
-         "-DLAWS=" + laws().string(), "-DELASTOGEN_KERNEL_FLAGS=-O0;-Wno-psabi"});
-    if (result.exit_status != 0) ADD_FAILURE() << result.output;
-  }
-
-  /// Builds everything; returns what the build printed.
-  std::string make() const {
-    const ProcessResult result = run_process({CMAKE_PROGRAM, "--build", build().string()});
-    EXPECT_EQ(result.exit_status, 0) << result.output;
-    return result.output;
+    project_.emplace(ELASTOGEN_SOURCE_DIR "/tests/consumer/kernels",
+                     std::vector<std::string>{"-DCMAKE_PREFIX_PATH=" + installed_package().string(),
+                                              "-DLAWS=" + laws().string(),
+                                              "-DELASTOGEN_KERNEL_FLAGS=-O0;-Wno-psabi"});
   }
 
   /// Times of the generated sources and of the objects compiled from them, by file.
   std::map<std::string, fs::file_time_type> times(const std::string& law) const {
     std::map<std::string, fs::file_time_type> result;
-    for (const auto& entry : fs::recursive_directory_iterator(build())) {
+    for (const auto& entry : fs::recursive_directory_iterator(project_->folder())) {
       const std::string name = entry.path().filename().string();
       const bool counts = entry.path().extension() != ".json" && entry.is_regular_file();
       if (counts && name.starts_with(law + "_tet4")) {
@@ -47,22 +36,22 @@ class KernelConsumer : public ::testing::Test {
 
   void edit_law(const std::string& law, const std::string& what, const std::string& by) const {
     const fs::path file = laws() / (law + ".toml");
-    std::string text = read_text_file(file, "law");
+    std::string text = selector::read_text_file(file, "law");
     const std::size_t position = text.find(what);
     ASSERT_NE(position, std::string::npos) << text;
     text.replace(position, what.size(), by);
-    write_text_file(file, text);
+    selector::write_text_file(file, text);
   }
 
   [[nodiscard]] fs::path laws() const { return folder_.path() / "laws"; }
-  [[nodiscard]] fs::path build() const { return folder_.path() / "build"; }
 
-  TemporaryFolder folder_;
+  selector::TemporaryFolder folder_;
+  std::optional<CmakeProject> project_;
 };
 
 TEST_F(KernelConsumer, RebuildsExactlyTheKernelsOfAChangedLaw) {
-  make();
-  EXPECT_EQ(run_process({(build() / "consumer").string()}).output,
+  (void)project_->build();
+  EXPECT_EQ(output_of({(project_->folder() / "consumer").string()}),
             "hooke-tet4-q1-none 8\nstvk-tet4-q1-none 16\n");
   const auto hooke = times("hooke");
   const auto stvk = times("stvk");
@@ -70,11 +59,11 @@ TEST_F(KernelConsumer, RebuildsExactlyTheKernelsOfAChangedLaw) {
 
   // A comment: the generator looks, and touches nothing.
   edit_law("hooke", "name", "# a remark\nname");
-  EXPECT_NE(make().find("up to date  hooke-tet4-q1-none"), std::string::npos);
+  EXPECT_NE(project_->build().find("up to date  hooke-tet4-q1-none"), std::string::npos);
   EXPECT_EQ(times("hooke"), hooke);
 
   edit_law("hooke", "mu*tr", "2*mu*tr");
-  const std::string output = make();
+  const std::string output = project_->build();
   EXPECT_NE(output.find("generated   hooke-tet4-q1-none"), std::string::npos) << output;
   EXPECT_EQ(output.find("stvk-tet4-q1-none"), std::string::npos) << output;
   EXPECT_NE(times("hooke"), hooke);
@@ -82,4 +71,4 @@ TEST_F(KernelConsumer, RebuildsExactlyTheKernelsOfAChangedLaw) {
 }
 
 }  // namespace
-}  // namespace elastogen::selector
+}  // namespace elastogen::test

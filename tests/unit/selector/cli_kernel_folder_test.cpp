@@ -19,28 +19,27 @@ symgen::GeneratedAssociation fake_association(const std::string& law) {
 
 const KernelTarget target = {"cpu", "x86-dram"};
 
-TEST(KernelFolder, KnowsWhatIsUpToDate) {
+const SourceFiles files = {{"a.h", "text"}, {"a.cpp", "more"}};
+
+TEST(KernelFolder, KnowsWhatIsNewOrChanged) {
   const TemporaryFolder folder;
   const symgen::GeneratedAssociation stvk = fake_association("stvk");
-  EXPECT_FALSE(KernelFolder(folder.path()).is_up_to_date(stvk.id, "cpu", stvk.hash));
-  KernelFolder(folder.path()).write(stvk, target, {{"a.h", "text"}, {"a.cpp", "more"}});
-
-  const KernelFolder reopened(folder.path());
-  EXPECT_TRUE(reopened.is_up_to_date(stvk.id, "cpu", stvk.hash));
-  EXPECT_FALSE(reopened.is_up_to_date(stvk.id, "cpu", "another hash"));
-  EXPECT_FALSE(reopened.is_up_to_date(fake_association("hooke").id, "cpu", stvk.hash));
+  EXPECT_TRUE(KernelFolder(folder.path()).write(stvk, target, files));
+  EXPECT_FALSE(KernelFolder(folder.path()).write(stvk, target, files));
+  EXPECT_TRUE(KernelFolder(folder.path()).write(stvk, target, {{"a.h", "text"}, {"a.cpp", "m"}}));
+  EXPECT_TRUE(KernelFolder(folder.path()).write(fake_association("hooke"), target, {{"h", ""}}));
 }
 
 TEST(KernelFolder, MakesAgainWhatWasEditedOrRemoved) {
   const TemporaryFolder folder;
   const symgen::GeneratedAssociation stvk = fake_association("stvk");
-  KernelFolder(folder.path()).write(stvk, target, {{"a.h", "text"}, {"a.cpp", "more"}});
+  KernelFolder(folder.path()).write(stvk, target, files);
   write_text_file(folder.path() / "a.h", "edited");
-  EXPECT_FALSE(KernelFolder(folder.path()).is_up_to_date(stvk.id, "cpu", stvk.hash));
-  KernelFolder(folder.path()).write(stvk, target, {{"a.h", "text"}, {"a.cpp", "more"}});
-  EXPECT_TRUE(KernelFolder(folder.path()).is_up_to_date(stvk.id, "cpu", stvk.hash));
+  EXPECT_TRUE(KernelFolder(folder.path()).write(stvk, target, files));
+  EXPECT_EQ(read_text_file(folder.path() / "a.h", "test"), "text");
   fs::remove(folder.path() / "a.cpp");
-  EXPECT_FALSE(KernelFolder(folder.path()).is_up_to_date(stvk.id, "cpu", stvk.hash));
+  EXPECT_TRUE(KernelFolder(folder.path()).write(stvk, target, files));
+  EXPECT_EQ(read_text_file(folder.path() / "a.cpp", "test"), "more");
 }
 
 TEST(KernelFolder, KeepsOtherAssociationsAndTimeStamps) {
@@ -50,9 +49,8 @@ TEST(KernelFolder, KeepsOtherAssociationsAndTimeStamps) {
   KernelFolder(folder.path()).write(stvk, target, {{"s.h", "text"}});
   const auto before = fs::last_write_time(folder.path() / "s.h");
   KernelFolder(folder.path()).write(hooke, target, {{"h.h", "text"}});
-  KernelFolder(folder.path()).write(stvk, target, {{"s.h", "text"}});
-  EXPECT_TRUE(KernelFolder(folder.path()).is_up_to_date(stvk.id, "cpu", stvk.hash));
-  EXPECT_TRUE(KernelFolder(folder.path()).is_up_to_date(hooke.id, "cpu", hooke.hash));
+  EXPECT_FALSE(KernelFolder(folder.path()).write(stvk, target, {{"s.h", "text"}}));
+  EXPECT_FALSE(KernelFolder(folder.path()).write(hooke, target, {{"h.h", "text"}}));
   EXPECT_EQ(fs::last_write_time(folder.path() / "s.h"), before);
 }
 
