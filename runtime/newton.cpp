@@ -39,23 +39,25 @@ enum class StepOutcome { moved, converged, failed, stopped, interrupted };
 
 class StaticSolver {
  public:
-  StaticSolver(Model& model, const Constraints& constraints, const ConstVectorRef& load,
-               const NewtonOptions& options)
+  StaticSolver(Model& model, const Constraints& constraints, const PrescribedMotion& motion,
+               const ConstVectorRef& load, const NewtonOptions& options)
       : model_(model),
         constraints_(constraints),
+        motion_(motion),
         options_(options),
         potential_(model, constraints, load),
         solver_(make_linear_solver(options.linear_solver, model, constraints)),
         has_load_(load.squaredNorm() > 0) {}
 
-  void run(Vector& u);
+  void run(LoadState& state);
   // Once, after run().
   [[nodiscard]] NewtonResult result();
 
  private:
+  void evaluate_start(double factor);
   StepOutcome solve_load_step(double factor);
   bool find_direction(double forcing, bool has_gap);
-  StepOutcome take_step(bool has_gap);
+  StepOutcome take_step(double factor, bool has_gap);
   bool grow_shift();
   double forcing_term(double threshold);
   double reference() const;
@@ -64,13 +66,13 @@ class StaticSolver {
 
   Model& model_;
   const Constraints& constraints_;
+  const PrescribedMotion& motion_;
   const NewtonOptions& options_;
   TotalPotential potential_;
   std::unique_ptr<LinearSolver> solver_;
   bool has_load_;
   StaticState state_, trial_;
-  Vector start_;  // displacement at the start of the solve
-  Vector gap_;    // motion of constrained degrees of freedom still to be made
+  Vector gap_;  // motion of constrained degrees of freedom still to be made
   Vector right_side_, direction_;
   double start_residual_ = 0;
   double previous_residual_ = 0;  // of the Newton iteration before, 0 if there is none
@@ -90,7 +92,7 @@ double StaticSolver::reference() const {
   constraints_.project_constrained(reactions);
   const double largest = std::max(norm(free_load, threads), norm(reactions, threads));
   // A body released from a deformed start ends without load or reaction.
-  return has_load_ || constraints_.has_motion() ? largest : std::max(largest, start_residual_);
+  return has_load_ || !motion_.empty() ? largest : std::max(largest, start_residual_);
 }
 
 double StaticSolver::rounding() const {
@@ -144,10 +146,11 @@ bool StaticSolver::find_direction(double forcing, bool has_gap) {
 
 // Moves state_ along direction_. With a gap the constrained motion is made whole: a potential at
 // another position of the supports is no measure of progress.
-StepOutcome StaticSolver::take_step(bool has_gap) {
+StepOutcome StaticSolver::take_step(double factor, bool has_gap) {
   if (has_gap) {
     step_ = 1;
-    trial_.u = state_.u + direction_ + gap_;
+    trial_.u = state_.u + direction_;
+    motion_.impose(factor, trial_.u);
     if (!potential_.evaluate_energy(trial_) || !potential_.evaluate_forces(trial_)) {
       reason_ = "the prescribed motion is too large for one load step: " +
                 model_.describe(model_.status());
@@ -191,17 +194,20 @@ bool StaticSolver::report(double factor, double step, int linear_iterations) {
   return options_.on_iteration(progress);
 }
 
-StepOutcome StaticSolver::solve_load_step(double factor) {
+void StaticSolver::evaluate_start(double factor) {
   potential_.set_load_factor(factor);
-  gap_ = start_;
-  constraints_.impose(gap_);
-  gap_ = start_ + factor * (gap_ - start_) - state_.u;
-  constraints_.project_constrained(gap_);
-  bool has_gap = gap_.squaredNorm() > 0;
-
   if (!potential_.evaluate_energy(state_) || !potential_.evaluate_forces(state_)) {
     throw InputError("the start of the static solve: " + model_.describe(model_.status()));
   }
+}
+
+StepOutcome StaticSolver::solve_load_step(double factor) {
+  gap_ = state_.u;
+  motion_.impose(factor, gap_);
+  gap_ -= state_.u;
+  bool has_gap = gap_.squaredNorm() > 0;
+
+  evaluate_start(factor);
   start_residual_ = state_.residual_norm;
   previous_residual_ = 0;
   shift_ = 0;
@@ -228,7 +234,7 @@ StepOutcome StaticSolver::solve_load_step(double factor) {
     shift_ = shift_ > first_shift ? shift_ / shift_factor : 0;
     const int iterations_before = result_.linear_iterations;
     if (!find_direction(forcing_term(threshold), has_gap)) return StepOutcome::failed;
-    const StepOutcome outcome = take_step(has_gap);
+    const StepOutcome outcome = take_step(factor, has_gap);
     if (outcome != StepOutcome::moved) return outcome;
     has_gap = false;
     if (!report(factor, step_, result_.linear_iterations - iterations_before)) {
@@ -238,36 +244,40 @@ StepOutcome StaticSolver::solve_load_step(double factor) {
   }
 }
 
-void StaticSolver::run(Vector& u) {
+void StaticSolver::run(LoadState& state) {
   const Stopwatch watch(result_.times.total);
-  state_.u = u;
-  start_ = u;
-  direction_ = Vector::Zero(u.size());
-  double increment = 1.0 / options_.load_steps;
+  state_.u = state.u;
+  direction_ = Vector::Zero(state.u.size());
+  if (state.increment == 0) state.increment = 1.0 / options_.load_steps;
+  result_.iterations = state.iterations;
+  if (state.load_factor == 1) evaluate_start(1);
   int halvings = 0;
-  Vector balanced = u;
-  while (result_.status != NewtonStatus::converged) {
+  while (state.load_factor < 1) {
     // The last load step ends at 1 whatever the rounding of the sum.
-    const double next = result_.load_factor + increment;
+    const double next = state.load_factor + state.increment;
     const double factor = next > 1 - 1e-9 ? 1 : next;
     const StepOutcome outcome = solve_load_step(factor);
+    state.iterations = result_.iterations;
     if (outcome == StepOutcome::converged) {
-      result_.load_factor = factor;
-      ++result_.load_steps;
+      state.u = state_.u;
+      state.load_factor = factor;
+      ++state.load_steps;
       halvings = 0;
-      balanced = state_.u;
-      if (factor == 1) result_.status = NewtonStatus::converged;
+      if (options_.on_load_step) options_.on_load_step(state);
     } else if (outcome == StepOutcome::failed && halvings < options_.max_halvings) {
       ++halvings;
-      increment /= 2;
-      state_.u = balanced;
+      state.increment /= 2;
+      state_.u = state.u;
     } else {
       if (outcome == StepOutcome::interrupted) result_.status = NewtonStatus::interrupted;
       result_.reason = reason_;
       break;
     }
   }
-  u = state_.u;
+  if (state.load_factor == 1) result_.status = NewtonStatus::converged;
+  result_.load_factor = state.load_factor;
+  result_.load_steps = state.load_steps;
+  state.u = state_.u;
 }
 
 NewtonResult StaticSolver::result() {
@@ -289,24 +299,35 @@ NewtonResult StaticSolver::result() {
 
 }  // namespace
 
-NewtonResult solve_static(Model& model, const Constraints& constraints, const ConstVectorRef& load,
-                          const NewtonOptions& options, Vector& u) {
+NewtonResult solve_static(Model& model, const Constraints& constraints,
+                          const PrescribedMotion& motion, const ConstVectorRef& load,
+                          const NewtonOptions& options, LoadState& state) {
   check_options(options);
   const auto num_dofs = static_cast<Eigen::Index>(model.num_dofs());
-  if (u.size() != num_dofs || load.size() != num_dofs ||
+  if (state.u.size() != num_dofs || load.size() != num_dofs ||
       constraints.num_dofs() != model.num_dofs()) {
     throw InternalError(fmt::format(
         "static solve: displacement, load and constraints have {}, {} and {} values, the model {}",
-        u.size(), load.size(), constraints.num_dofs(), num_dofs));
+        state.u.size(), load.size(), constraints.num_dofs(), num_dofs));
   }
   if (constraints.num_constrained() == 0) {
     throw InputError(
         "static solve: nothing is fixed, so the body can move freely; constrain some nodes");
   }
   if (!load.allFinite()) throw InputError("static solve: the load is not finite");
-  StaticSolver solver(model, constraints, load, options);
-  solver.run(u);
+  StaticSolver solver(model, constraints, motion, load, options);
+  solver.run(state);
   return solver.result();
+}
+
+NewtonResult solve_static(Model& model, const Constraints& constraints, const ConstVectorRef& load,
+                          const NewtonOptions& options, Vector& u) {
+  LoadState state;
+  state.u = u;
+  NewtonResult result = solve_static(model, constraints, PrescribedMotion::growing(constraints),
+                                     load, options, state);
+  u = std::move(state.u);
+  return result;
 }
 
 }  // namespace elastogen

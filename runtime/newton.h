@@ -7,9 +7,19 @@
 #include "runtime/constraints.h"
 #include "runtime/linear_solver.h"
 #include "runtime/model.h"
+#include "runtime/prescribed_motion.h"
 #include "runtime/vector.h"
 
 namespace elastogen {
+
+/// Equilibrium after a load step: all that the next load step depends on.
+struct LoadState {
+  Vector u;                ///< displacement [m]
+  double load_factor = 0;  ///< fraction of the load and of the motion that u balances
+  double increment = 0;    ///< of the next load step; 0: 1 / NewtonOptions::load_steps
+  int load_steps = 0;      ///< that converged
+  int iterations = 0;      ///< Newton, so far
+};
 
 /// State after one Newton iteration.
 struct NewtonProgress {
@@ -38,6 +48,8 @@ struct NewtonOptions {
 
   /// Called at the start and after each iteration; return false to stop. May be empty.
   std::function<bool(const NewtonProgress&)> on_iteration;
+  /// Called after each load step that converged. May be empty.
+  std::function<void(const LoadState&)> on_load_step;
 };
 
 enum class NewtonStatus { converged, not_converged, interrupted };
@@ -52,8 +64,8 @@ struct NewtonTimes {
 struct NewtonResult {
   NewtonStatus status = NewtonStatus::not_converged;
   std::string reason;  ///< one sentence when not converged, naming an element where one is bad
-  int iterations = 0;
-  int load_steps = 0;         ///< load steps that converged
+  int iterations = 0;  ///< counted from load factor 0, as LoadState does
+  int load_steps = 0;  ///< load steps that converged, likewise
   int linear_iterations = 0;  ///< conjugate gradient, in total
   int factorizations = 0;     ///< Cholesky, in total
   int energy_evaluations = 0;
@@ -77,10 +89,22 @@ struct NewtonResult {
 /// "Choosing the forcing terms in an inexact Newton method", SIAM J. Sci. Comput. 17 (1996),
 /// choice 2.
 ///
-/// @param load  dead load on all degrees of freedom [N]; what acts on constrained ones goes into
-///              the reactions
-/// @param u     in: start; out: equilibrium, or the last state that was reached
+/// Prescribed motion is made at once at the start of a load step, the rest of the body following it
+/// to first order; the line search begins after that.
+///
+/// @param load    dead load on all degrees of freedom [N]; what acts on constrained ones goes into
+///                the reactions
+/// @param motion  of the constrained degrees of freedom, the load factor standing for the time
+/// @param state   in: start, by its load factor and increment in the midst of a solve; out: the
+///                last state that was reached, in equilibrium or not. Given equal states, models
+///                and numbers of threads, what follows is equal bit for bit.
 /// @throws InputError  wrong options; no constraint at all; the elements are bad at the start
+[[nodiscard]] NewtonResult solve_static(Model& model, const Constraints& constraints,
+                                        const PrescribedMotion& motion, const ConstVectorRef& load,
+                                        const NewtonOptions& options, LoadState& state);
+
+/// The same from load factor 0, the constraints' displacements growing with the load.
+/// @param u  in: start; out: equilibrium, or the last state that was reached
 [[nodiscard]] NewtonResult solve_static(Model& model, const Constraints& constraints,
                                         const ConstVectorRef& load, const NewtonOptions& options,
                                         Vector& u);

@@ -63,6 +63,15 @@ double History::operator()(double time) const {
 
 PrescribedMotion::PrescribedMotion(const Constraints& constraints) : constraints_(constraints) {}
 
+PrescribedMotion PrescribedMotion::growing(const Constraints& constraints) {
+  PrescribedMotion motion(constraints);
+  for (std::size_t dof = 0; dof < constraints.num_dofs(); ++dof) {
+    if (constraints.value(dof) == 0) continue;
+    motion.translations_.push_back({dof, constraints.value(dof), History()});
+  }
+  return motion;
+}
+
 void PrescribedMotion::translate(std::size_t node, int component, double displacement,
                                  const History& history) {
   const std::size_t dof =
@@ -82,13 +91,18 @@ void PrescribedMotion::rotate(const Mesh& mesh, std::span<const std::int32_t> no
         "axis not 0",
         rotation.angle, axis[0], axis[1], axis[2], point[0], point[1], point[2]));
   }
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  if (dim == 2 && (axis[0] != 0 || axis[1] != 0)) {
+    throw InputError(fmt::format("rotation about [{}, {}, {}]: in the plane the axis is along z",
+                                 axis[0], axis[1], axis[2]));
+  }
   const Eigen::Vector3d unit = axis.normalized();
   Turn turn{{}, {}, {unit[0], unit[1], unit[2]}, rotation.angle, history};
   for (const std::int32_t number : nodes) {
     const auto node = static_cast<std::size_t>(number);
+    for (std::size_t i = 0; i < dim; ++i) check_constrained(constraints_, dim * node + i);
     for (std::size_t i = 0; i < 3; ++i) {
-      check_constrained(constraints_, 3 * node + i);
-      turn.arms.push_back(mesh.positions[3 * node + i] - rotation.point[i]);
+      turn.arms.push_back(i < dim ? mesh.positions[dim * node + i] - rotation.point[i] : 0.0);
     }
     turn.nodes.push_back(node);
   }
@@ -101,13 +115,14 @@ void PrescribedMotion::impose(double time, VectorRef u) const {
     u[static_cast<Eigen::Index>(translation.dof)] =
         translation.history(time) * translation.displacement;
   }
+  const int dim = constraints_.dim();
   for (const Turn& turn : rotations_) {
     const Eigen::AngleAxisd rotation(turn.history(time) * turn.angle,
                                      Eigen::Map<const Eigen::Vector3d>(turn.axis.data()));
     const Eigen::Matrix3d change = rotation.toRotationMatrix() - Eigen::Matrix3d::Identity();
     for (std::size_t k = 0; k < turn.nodes.size(); ++k) {
-      u.segment<3>(static_cast<Eigen::Index>(3 * turn.nodes[k])) =
-          change * Eigen::Map<const Eigen::Vector3d>(&turn.arms[3 * k]);
+      const Eigen::Vector3d moved = change * Eigen::Map<const Eigen::Vector3d>(&turn.arms[3 * k]);
+      u.segment(static_cast<Eigen::Index>(turn.nodes[k]) * dim, dim) = moved.head(dim);
     }
   }
 }

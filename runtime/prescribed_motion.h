@@ -47,17 +47,21 @@ class PrescribedMotion {
   /// Whatever the constraints give, at all times.
   explicit PrescribedMotion(const Constraints& constraints);
 
+  /// Each given displacement grows as h(t) = t.
+  [[nodiscard]] static PrescribedMotion growing(const Constraints& constraints);
+
   /// Component `component` of a node moves by h(t) * displacement [m].
   /// @throws InternalError  that degree of freedom is not constrained
   void translate(std::size_t node, int component, double displacement, const History& history);
 
-  /// Nodes turn about an axis by the angle h(t) * rotation.angle: they move on circles. 3D only.
+  /// Nodes turn about an axis by the angle h(t) * rotation.angle: they move on circles. In the
+  /// plane the axis must be along z.
   /// @throws InputError     an axis without direction, or numbers that are not finite
   /// @throws InternalError  a degree of freedom of theirs is not constrained
   void rotate(const Mesh& mesh, std::span<const std::int32_t> nodes, const Rotation& rotation,
               const History& history);
 
-  /// Whether anything moves.
+  /// Whether anything moves by a history.
   [[nodiscard]] bool empty() const { return translations_.empty() && rotations_.empty(); }
 
   /// Sets u to the given displacements at a time where constrained.

@@ -62,6 +62,14 @@ IntegratorOptions options_of(IntegrationScheme scheme, double step = 1e-3, doubl
   return options;
 }
 
+/// The unit square as one quadrilateral.
+Mesh plane_square() {
+  Mesh mesh;
+  mesh.dim = 2;
+  mesh.positions = {0, 0, 1, 0, 1, 1, 0, 1};
+  return mesh;
+}
+
 std::string scheme_test_name(const testing::TestParamInfo<IntegrationScheme>& info) {
   return std::string(scheme_name(info.param));
 }
@@ -353,6 +361,33 @@ TEST(PrescribedMotions, RotationKeepsDistancesFromTheAxis) {
   EXPECT_NEAR(u[14], 0, 1e-15);
   EXPECT_EQ(u.head(12).norm(), 0);
   EXPECT_THROW(motion.rotate(mesh, nodes, {{0, 0, 0}, {0, 0, 0}, 1}, History()), InputError);
+}
+
+TEST(PrescribedMotions, RotationInThePlane) {
+  const Mesh mesh = plane_square();
+  Constraints constraints(mesh.num_nodes(), 2);
+  for (std::size_t node = 0; node < 4; ++node) constraints.fix(node);
+  PrescribedMotion motion(constraints);
+  const std::vector<std::int32_t> nodes = {0, 1, 2, 3};
+  motion.rotate(mesh, nodes, {{0, 0, 0}, {0, 0, 1}, std::numbers::pi}, History());
+  Vector u = Vector::Zero(8);
+  motion.impose(0.5, u);
+  // A quarter turn: node 2 goes from (1, 1) to (-1, 1).
+  EXPECT_NEAR(u[4], -2, 1e-15);
+  EXPECT_NEAR(u[5], 0, 1e-15);
+  EXPECT_THROW(motion.rotate(mesh, nodes, {{0, 0, 0}, {1, 0, 0}, 1}, History()), InputError);
+}
+
+TEST(PrescribedMotions, GrowByTheLoadFactor) {
+  Constraints constraints(2, 3);
+  constraints.fix(0);
+  constraints.prescribe(1, 2, 0.4);
+  const PrescribedMotion motion = PrescribedMotion::growing(constraints);
+  Vector u = Vector::Constant(6, 7);
+  motion.impose(0.25, u);
+  EXPECT_EQ(u, (Vector(6) << 0, 0, 0, 7, 7, 0.1).finished());
+  EXPECT_FALSE(motion.empty());
+  EXPECT_TRUE(PrescribedMotion::growing(Constraints(2, 3)).empty());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <random>
 #include <string>
@@ -314,6 +315,80 @@ TEST(SolveStatic, HalvesALoadStepWhosePrescribedMotionFails) {
   const NewtonResult in_steps = solve_static(model, constraints, load, options, u);
   EXPECT_EQ(in_steps.load_steps, 3);
   EXPECT_LT((u - direct).norm(), 1e-7 * direct.norm());
+}
+
+/// A bar whose end x = 4 turns about its axis by half a turn.
+struct TwistedBar {
+  TwistedBar()
+      : mesh(bar_mesh("hexa8", {8, 2, 2}, {4, 1, 1})),
+        model(mesh, one_part(mesh, table), {.threads = 1}),
+        constraints(clamp_left(mesh)),
+        motion(constraints),
+        load(Vector::Zero(static_cast<Eigen::Index>(model.num_dofs()))) {
+    std::vector<std::int32_t> end;
+    for (std::size_t node = 0; node < mesh.num_nodes(); ++node) {
+      if (mesh.positions[3 * node] < 4 - 1e-9) continue;
+      constraints.fix(node);
+      end.push_back(static_cast<std::int32_t>(node));
+    }
+    motion = PrescribedMotion(constraints);
+    motion.rotate(mesh, end, {{4, 0.5, 0.5}, {1, 0, 0}, std::numbers::pi}, History());
+    options.load_steps = 6;
+    options.tolerance = 1e-10;
+  }
+  [[nodiscard]] NewtonResult solve(LoadState& state) {
+    return solve_static(model, constraints, motion, load, options, state);
+  }
+
+  KernelTable<double> table = ReferenceKernels<Hexa8, 8, false>::table();
+  Mesh mesh;
+  Model model;
+  Constraints constraints;
+  PrescribedMotion motion;
+  Vector load;
+  NewtonOptions options;
+};
+
+TEST(SolveStatic, TurnsAnEndOnACircleInLoadSteps) {
+  TwistedBar bar;
+  LoadState state;
+  state.u = bar.load;
+  std::vector<double> factors;
+  bar.options.on_load_step = [&](const LoadState& at) { factors.push_back(at.load_factor); };
+  const NewtonResult result = bar.solve(state);
+  ASSERT_EQ(result.status, NewtonStatus::converged) << result.reason;
+  ASSERT_EQ(factors.size(), 6U);
+  EXPECT_NEAR(factors[2], 0.5, 1e-15);
+  EXPECT_EQ(state.load_factor, 1);
+  for (std::size_t node = 0; node < bar.mesh.num_nodes(); ++node) {
+    const double* at = &bar.mesh.positions[3 * node];
+    if (at[0] < 4 - 1e-9) continue;
+    const auto dof = static_cast<Eigen::Index>(3 * node);
+    EXPECT_NEAR(state.u[dof], 0, 1e-14);
+    EXPECT_NEAR(state.u[dof + 1], 1 - 2 * at[1], 1e-14);
+    EXPECT_NEAR(state.u[dof + 2], 1 - 2 * at[2], 1e-14);
+  }
+}
+
+TEST(SolveStatic, GoesOnFromALoadStepToTheSameBits) {
+  TwistedBar bar;
+  LoadState whole, part;
+  whole.u = bar.load;
+  bar.options.on_load_step = [&](const LoadState& at) {
+    if (at.load_steps == 2) part = at;
+  };
+  ASSERT_EQ(bar.solve(whole).status, NewtonStatus::converged);
+  TwistedBar again;
+  const NewtonResult result = again.solve(part);
+  ASSERT_EQ(result.status, NewtonStatus::converged) << result.reason;
+  EXPECT_EQ(result.load_steps, 6);
+  EXPECT_EQ(result.iterations, whole.iterations);
+  EXPECT_EQ((part.u - whole.u).norm(), 0.0);
+  // From the end there is nothing left to do, and the forces are still reported.
+  const NewtonResult ended = again.solve(part);
+  EXPECT_EQ(ended.status, NewtonStatus::converged);
+  EXPECT_EQ(ended.iterations, whole.iterations);
+  EXPECT_LT((ended.reactions - result.reactions).norm(), 1e-12 * result.reactions.norm());
 }
 
 // The ordering of the factorisation depends on the numbers of the nodes, its result does not.
