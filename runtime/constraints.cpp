@@ -46,13 +46,6 @@ void Constraints::prescribe(std::size_t node, int component, double value) {
   values_[dof] = value;
 }
 
-bool Constraints::has_motion() const {
-  for (const double value : values_) {
-    if (value != 0) return true;
-  }
-  return false;
-}
-
 void Constraints::impose(VectorRef u) const {
   for (std::size_t dof = 0; dof < num_dofs(); ++dof) {
     if (constrained_[dof] != 0) u[static_cast<Eigen::Index>(dof)] = values_[dof];

@@ -34,8 +34,6 @@ class Constraints {
   [[nodiscard]] bool is_constrained(std::size_t dof) const { return constrained_[dof] != 0; }
   /// Given displacement of a constrained degree of freedom [m]; 0 for a free one.
   [[nodiscard]] double value(std::size_t dof) const { return values_[dof]; }
-  /// Whether any given displacement is not 0.
-  [[nodiscard]] bool has_motion() const;
 
   /// Sets u to the given displacements where constrained.
   void impose(VectorRef u) const;

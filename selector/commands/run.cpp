@@ -7,16 +7,16 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "runtime/error.h"
 #include "selector/io/atomic_file.h"
-#include "selector/io/curve_picture.h"
-#include "selector/io/deformed_picture.h"
-#include "selector/io/gnuplot.h"
-#include "selector/io/vtu.h"
+#include "selector/scene/fingerprint.h"
 #include "selector/scene/interrupt.h"
 #include "selector/scene/located_error.h"
+#include "selector/scene/static_run.h"
 #include "selector/scene/summary.h"
+#include "selector/scene/write_results.h"
 #include "selector/support/files.h"
 
 namespace elastogen::selector {
@@ -26,6 +26,7 @@ struct RunOptions {
   std::filesystem::path scene;
   std::filesystem::path out;
   std::string cells;
+  bool resume = false;
   bool json = false;
 };
 
@@ -92,110 +93,6 @@ std::map<symgen::AssociationId, LoadedKernels> load_kernels(
   return kernels;
 }
 
-std::string progress_line(const NewtonProgress& progress) {
-  std::string line = fmt::format(
-      "newton {:3}  residual {:.3e} (relative {:.1e})  potential {:.8e} J", progress.iteration,
-      progress.residual, progress.relative_residual, progress.potential);
-  if (progress.iteration > 0) line += fmt::format("  step {:.3g}", progress.step);
-  if (progress.linear_iterations > 0) line += fmt::format("  cg {}", progress.linear_iterations);
-  if (progress.shift > 0) line += fmt::format("  shift {:.1e}", progress.shift);
-  if (progress.load_factor < 1) line += fmt::format("  load {:.3g}", progress.load_factor);
-  return line;
-}
-
-/// Solves from rest; Ctrl-C ends it at the next iteration.
-NewtonResult solve(const Scene& scene, const Problem& problem, Model& model, Vector& displacement,
-                   const Context& context) {
-  const InterruptGuard interrupt;
-  NewtonOptions options;
-  options.linear_solver.kind = scene.solver.method;
-  options.tolerance = scene.solver.tolerance;
-  options.max_iterations = scene.solver.max_iterations;
-  options.load_steps = scene.solver.load_steps;
-  options.on_iteration = [&](const NewtonProgress& progress) {
-    context.tell(progress_line(progress));
-    return !interrupt.interrupted();
-  };
-  displacement = Vector::Zero(static_cast<Eigen::Index>(model.num_dofs()));
-  return solve_static(model, problem.constraints, make_load(scene, problem, model), options,
-                      displacement);
-}
-
-/// Which association and region each element has.
-std::vector<ElementLabels> element_labels(const SceneMesh& mesh) {
-  ElementLabels associations{"association", {}, {}}, regions{"region", {}, mesh.mesh.region_names};
-  std::map<std::string, std::int32_t> numbers;
-  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
-    const std::string name = mesh.blocks[b].association.text();
-    const auto number = static_cast<std::int32_t>(numbers.size());
-    const auto [entry, is_new] = numbers.emplace(name, number);
-    if (is_new) associations.names.push_back(name);
-    const ElementBlock& block = mesh.mesh.blocks[b];
-    associations.values.insert(associations.values.end(), block.num_elements(), entry->second);
-    regions.values.insert(regions.values.end(), block.region.begin(), block.region.end());
-  }
-  return {associations, regions};
-}
-
-std::span<const double> values_of(const Vector& vector) {
-  return {vector.data(), static_cast<std::size_t>(vector.size())};
-}
-
-/// Writes a picture; one that cannot be drawn costs a warning, not the results.
-template <class Draw>
-void try_picture(const std::string& name, RunSummary& summary, const Draw& draw) {
-  try {
-    draw(summary.folder / name);
-    summary.files.push_back(name);
-  } catch (const WorkError& error) {
-    summary.warnings.push_back(error.what());
-  }
-}
-
-void write_pictures(RunSummary& summary) {
-  if (!have_gnuplot()) {
-    summary.warnings.push_back(
-        "gnuplot is not installed, so there are no pictures (package gnuplot-nox)");
-    return;
-  }
-  const Scene& scene = *summary.scene;
-  const SceneResults& results = *summary.results;
-  try_picture("deformed.png", summary, [&](const std::filesystem::path& file) {
-    draw_deformed(file, summary.problem->mesh.mesh, values_of(results.displacement), scene.title);
-  });
-  if (!results.curve) return;
-  std::optional<NamedCurve> reference;
-  if (summary.problem->reference) {
-    reference = NamedCurve{scene.reference->label, *summary.problem->reference};
-  }
-  try_picture("deflection.png", summary, [&](const std::filesystem::path& file) {
-    draw_curve(file, *results.curve, reference, scene.title);
-  });
-}
-
-/// Writes what the scene asks for; each file is whole as soon as it is there.
-void write_results(RunSummary& summary) {
-  const OutputSettings& output = summary.scene->output;
-  const SceneResults& results = *summary.results;
-  if (output.vtu) {
-    VtuFields fields;
-    fields.nodes = {{"displacement", values_of(results.displacement)},
-                    {"internal_forces", values_of(results.newton.internal_forces)},
-                    {"reactions", values_of(results.newton.reactions)}};
-    fields.elements = {{"energy_density", results.energy_density}};
-    fields.labels = element_labels(summary.problem->mesh);
-    write_vtu(summary.folder / "result.vtu", summary.problem->mesh.mesh, fields);
-    summary.files.push_back("result.vtu");
-  }
-  if (output.curve && results.curve) {
-    write_curve_csv(summary.folder / "deflection.csv", *results.curve,
-                    summary.scene->title + ": mean displacement of each section [m]");
-    summary.files.push_back("deflection.csv");
-  }
-  if (output.picture) write_pictures(summary);
-  summary.files.push_back("summary.json");
-}
-
 std::vector<std::string> mesh_warnings(const SceneMesh& mesh) {
   std::vector<std::string> warnings = mesh.notes;
   if (mesh.split_quadrilaterals > 0) {
@@ -207,16 +104,68 @@ std::vector<std::string> mesh_warnings(const SceneMesh& mesh) {
   return warnings;
 }
 
-int exit_status(NewtonStatus status) {
-  switch (status) {
-    case NewtonStatus::converged:
-      return 0;
-    case NewtonStatus::interrupted:
-      return exit_interrupted;
-    case NewtonStatus::not_converged:
-      break;
+/// The checkpoint that the run shall go on from.
+std::optional<Checkpoint> find_checkpoint(const RunOptions& options, const Scene& scene,
+                                          const std::filesystem::path& folder) {
+  if (!options.resume) return std::nullopt;
+  if (!scene.has_steps()) {
+    throw InputError(fmt::format(
+        "--resume: {} has no steps to go on from: neither [dynamics] nor load_steps of 2 or more",
+        scene.file.string()));
   }
-  return 1;
+  if (!std::filesystem::exists(checkpoint_file(folder))) {
+    throw InputError(fmt::format("--resume: there is no {}: start without it",
+                                 checkpoint_file(folder).string()));
+  }
+  return read_checkpoint(checkpoint_file(folder));
+}
+
+void check_fingerprint(const std::string& fingerprint, const Checkpoint& checkpoint,
+                       const std::filesystem::path& folder) {
+  if (checkpoint.fingerprint == fingerprint) return;
+  throw InputError(fmt::format(
+      "--resume: {} is of another problem: mesh, law, material, constraint, load, scheme, step or "
+      "tolerance have changed since (only the end of a run and what it writes may): start without "
+      "--resume",
+      checkpoint_file(folder).string()));
+}
+
+/// Makes the run's steps, and fills in what came of it.
+BodyState make_steps(const Scene& scene, const Problem& problem, Model& model, Recorder& recorder,
+                     const Checkpoint* start, const Context& context, RunSummary& summary) {
+  const InterruptGuard interrupt;
+  const RunHooks hooks = {[&](const std::string& line) { context.tell(line); },
+                          [&] { return interrupt.interrupted(); }};
+  BodyState end;
+  if (scene.dynamics) {
+    summary.motion = run_motion(scene, problem, model, *summary.plan, recorder, start, hooks, end);
+  } else {
+    summary.newton = run_static(scene, problem, model, recorder, start, hooks, end);
+  }
+  return end;
+}
+
+/// The exit status; says on standard error what went wrong.
+int report_end(const RunSummary& summary) {
+  const auto tell = [&](const std::string& text) {
+    fmt::print(stderr, "error: {}; what was computed is in {}{}\n", text, summary.folder.string(),
+               summary.scene->has_steps() ? ", and --resume goes on from there" : "");
+  };
+  const bool interrupted = summary.motion ? summary.motion->status == MotionStatus::interrupted
+                                          : summary.newton->status == NewtonStatus::interrupted;
+  if (interrupted) {
+    tell("interrupted");
+    return exit_interrupted;
+  }
+  if (summary.motion && summary.motion->status == MotionStatus::failed) {
+    tell(summary.motion->reason);
+    return 1;
+  }
+  if (summary.newton && summary.newton->status != NewtonStatus::converged) {
+    tell("no equilibrium: " + summary.newton->reason);
+    return 1;
+  }
+  return 0;
 }
 
 int run(const RunOptions& options, const Context& context) {
@@ -225,17 +174,19 @@ int run(const RunOptions& options, const Context& context) {
   const auto warn = [](const std::string& text) { fmt::print(stderr, "warning: {}\n", text); };
 
   const Scene scene = read_scene_with_options(options);
+  summary.folder =
+      options.out.empty() ? std::filesystem::path("out") / scene.file.stem() : options.out;
+  const std::optional<Checkpoint> start = find_checkpoint(options, scene, summary.folder);
   const Problem problem = prepare(scene, context.law_folders());
+  check_measurable(scene, problem);
   const Mesh& mesh = problem.mesh.mesh;
   context.tell(fmt::format("mesh: {} elements, {} nodes", mesh.num_elements(), mesh.num_nodes()));
   summary.warnings = mesh_warnings(problem.mesh);
   for (const std::string& warning : summary.warnings) warn(warning);
-  summary.folder =
-      options.out.empty() ? std::filesystem::path("out") / scene.file.stem() : options.out;
   check_can_be_written(summary.folder);
   summary.times.mesh = watch.lap();
 
-  summary.operations = operations_of(scene.solver.method, problem.constraints);
+  summary.operations = operations_of(scene, problem);
   const auto kernels = load_kernels(problem, summary.operations, context);
   std::vector<const KernelTable<double>*> tables;
   for (const SceneMesh::Block& block : problem.mesh.blocks) {
@@ -248,38 +199,56 @@ int run(const RunOptions& options, const Context& context) {
   }
   summary.times.kernels = watch.lap();
 
-  const int threads = context.threads > 0 ? context.threads : scene.solver.threads;
-  Model model = with_location(scene.file.string(), "mesh",
-                              [&] { return make_model(problem, tables, threads); });
+  // A run that is resumed takes its own number of threads, for equal results.
+  const int usual_threads = start ? start->threads : scene.solver.threads;
+  Model model = with_location(scene.file.string(), "mesh", [&] {
+    return make_model(problem, tables, context.threads > 0 ? context.threads : usual_threads);
+  });
   summary.groups = model.groups();
   summary.threads = model.num_threads();
-  create_folder(summary.folder);
+  if (scene.dynamics) summary.plan = plan_motion(scene, problem, model);
+  const std::int64_t num_steps = summary.plan ? summary.plan->num_steps : scene.solver.load_steps;
+  const double time_step = summary.plan ? summary.plan->options.step : 0;
+  Recorder recorder(
+      scene, problem, model, summary.folder, intervals_of(scene.output, num_steps),
+      run_fingerprint(scene, problem, tables, make_load(scene, problem, model), time_step));
+  if (start) {
+    check_fingerprint(recorder.fingerprint(), *start, summary.folder);
+    summary.resumed_from = start->position(time_step);
+    context.tell(fmt::format("resuming from step {}", summary.resumed_from->step));
+    if (start->threads != summary.threads) {
+      summary.warnings.push_back(fmt::format(
+          "computed with {} threads so far and with {} from here: the last bits will differ from a "
+          "run that was not interrupted",
+          start->threads, summary.threads));
+      warn(summary.warnings.back());
+    }
+    recorder.resume(*start);
+  } else {
+    create_folder(summary.folder);
+    recorder.start();
+  }
   summary.times.setup = watch.lap();
   context.tell(fmt::format("setup: grouped constants of {} elements in {:.2f} s, {} threads",
                            model.num_elements(), summary.times.setup, summary.threads));
 
-  Vector displacement;
-  NewtonResult newton = solve(scene, problem, model, displacement, context);
-  const SceneResults results =
-      collect_results(problem, model, std::move(newton), std::move(displacement));
+  BodyState end =
+      make_steps(scene, problem, model, recorder, start ? &*start : nullptr, context, summary);
+  const SceneResults results = collect_results(scene, problem, model, std::move(end));
   summary.times.solve = watch.lap();
 
   summary.scene = &scene;
   summary.problem = &problem;
   summary.results = &results;
   const std::size_t warned = summary.warnings.size();
-  write_results(summary);
+  write_results(summary, recorder);
   for (std::size_t i = warned; i < summary.warnings.size(); ++i) warn(summary.warnings[i]);
   summary.times.output = watch.lap();
   const std::string json = summary_json(summary).dump(2) + "\n";
   write_text_file(summary.folder / "summary.json", json);
 
   fmt::print("{}", options.json ? json : summary_text(summary));
-  if (results.newton.status != NewtonStatus::converged) {
-    fmt::print(stderr, "error: no equilibrium: {}; what was computed is in {}\n",
-               results.newton.reason, summary.folder.string());
-  }
-  return exit_status(results.newton.status);
+  return report_end(summary);
 }
 
 }  // namespace
@@ -289,11 +258,17 @@ void add_run_command(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand(
       "run", "Simulate a scene (docs/scene.md): makes its kernels, solves, writes results");
   command->footer(
-      "Writes a VTU file, a deflection curve, pictures and summary.json, as the scene asks.\n"
-      "Exit status: 0 converged; 1 not converged, or the work failed; 2 the scene or the call is\n"
-      "wrong, nothing is written; 130 ended by Ctrl-C. What Newton reached is always written.\n"
+      "Writes VTU files, curves, pictures and summary.json, as the scene asks. A scene with\n"
+      "[dynamics] moves in time, any other is brought to static equilibrium, in load steps if it\n"
+      "says so; both keep a checkpoint after each step, from which --resume goes on to the same\n"
+      "result, bit for bit.\n"
+      "Exit status: 0 converged, at rest, or at the end of time; 1 not converged, or the work\n"
+      "failed; 2 the scene or the call is wrong, nothing is written; 130 ended by Ctrl-C. What "
+      "was\n"
+      "reached is always written.\n"
       "Examples:\n"
       "  elastogen run scenes/mixed_beam.toml --out out/mixed_beam\n"
+      "  elastogen run scenes/mixed_beam_falling.toml --resume\n"
       "  elastogen run scenes/beam_hexa8.toml --cells 48x8x8 --threads 2 --json");
   command->add_option("SCENE", options->scene, "Scene file, TOML")->required();
   command->add_option("--out", options->out, "Folder for results; default out/NAME_OF_THE_SCENE")
@@ -302,6 +277,8 @@ void add_run_command(CLI::App& app, Context& context) {
       ->add_option("--cells", options->cells,
                    "Divide the scene's bar differently: NXxNYxNZ, as in 48x8x8; NXxNY in the plane")
       ->type_name("CELLS");
+  command->add_flag("--resume", options->resume,
+                    "Go on from the last checkpoint in the folder for results");
   command->add_flag("--json", options->json, "Print the summary as JSON");
   command->callback([options, &context] {
     context.action = [options, &context] { return run(*options, context); };

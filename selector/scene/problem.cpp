@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "runtime/error.h"
+#include "selector/io/displacement_field.h"
 #include "selector/scene/located_error.h"
 #include "selector/scene/materials.h"
 #include "selector/scene/rigid_motions.h"
@@ -70,19 +71,67 @@ std::vector<BlockMaterial> block_materials(const Scene& scene,
   return result;
 }
 
-Constraints make_constraints(const Scene& scene, const SceneMesh& mesh) {
-  Constraints constraints(mesh.mesh.num_nodes(), mesh.mesh.dim);
+/// The constraints of a scene with the nodes that each selects.
+using SelectedConstraints =
+    std::vector<std::pair<const ConstraintDescription*, std::vector<std::int32_t>>>;
+
+SelectedConstraints select_constraints(const Scene& scene, const SceneMesh& mesh) {
+  SelectedConstraints selected;
   for (const ConstraintDescription& description : scene.constraints) {
-    for (const std::int32_t node : select_nodes(mesh, description.nodes)) {
-      for (int c = 0; c < mesh.mesh.dim; ++c) {
-        const std::optional<double>& value = description.displacement[static_cast<std::size_t>(c)];
+    selected.emplace_back(&description, select_nodes(mesh, description.nodes));
+  }
+  return selected;
+}
+
+/// Two constraints may fix the same node, or move it to the same place with the load. What has a
+/// course of its own, a rotation or a history, must be alone.
+void check_alone(const ConstraintDescription& one, const ConstraintDescription& other,
+                 std::int32_t node) {
+  const auto has_own_course = [](const auto& d) { return d.rotation || d.history; };
+  if (!has_own_course(one) && !has_own_course(other)) return;
+  throw InputError(fmt::format(
+      "{}: constraint: node {} is selected here and by the constraint of {}, and one of the two "
+      "moves in a course of its own: select it once",
+      other.nodes.where, node, one.nodes.where));
+}
+
+Constraints make_constraints(const SelectedConstraints& selected, const Mesh& mesh) {
+  Constraints constraints(mesh.num_nodes(), mesh.dim);
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  std::vector<const ConstraintDescription*> owners(dim * mesh.num_nodes(), nullptr);
+  for (const auto& [description, nodes] : selected) {
+    for (const std::int32_t node : nodes) {
+      for (std::size_t c = 0; c < dim; ++c) {
+        const std::optional<double>& value = description->displacement[c];
         if (!value) continue;
-        with_location(description.nodes.where, "constraint",
-                      [&] { constraints.prescribe(static_cast<std::size_t>(node), c, *value); });
+        const ConstraintDescription*& owner = owners[dim * static_cast<std::size_t>(node) + c];
+        if (owner) check_alone(*owner, *description, node);
+        owner = description;
+        with_location(description->nodes.where, "constraint", [&] {
+          constraints.prescribe(static_cast<std::size_t>(node), static_cast<int>(c), *value);
+        });
       }
     }
   }
   return constraints;
+}
+
+PrescribedMotion make_motion(const SelectedConstraints& selected, const Mesh& mesh,
+                             const Constraints& constraints) {
+  PrescribedMotion motion(constraints);
+  for (const auto& [description, nodes] : selected) {
+    if (!description->moves()) continue;
+    const History history = description->history.value_or(History());
+    if (description->rotation) motion.rotate(mesh, nodes, *description->rotation, history);
+    for (int c = 0; c < mesh.dim; ++c) {
+      const double value = description->displacement[static_cast<std::size_t>(c)].value_or(0);
+      if (value == 0) continue;
+      for (const std::int32_t node : nodes) {
+        motion.translate(static_cast<std::size_t>(node), c, value, history);
+      }
+    }
+  }
+  return motion;
 }
 
 void check_held(const Scene& scene, const Mesh& mesh, const Constraints& constraints) {
@@ -132,7 +181,7 @@ std::vector<SurfaceLoad> make_surface_loads(const Scene& scene, const SceneMesh&
 
 /// The curve, known to reach over the whole bar.
 std::optional<DeflectionCurve> read_reference(const Scene& scene, const SceneMesh& mesh) {
-  if (!scene.reference) return std::nullopt;
+  if (!scene.reference || scene.reference->file.extension() != ".csv") return std::nullopt;
   return with_location(scene.reference->where, "reference.file", [&] {
     DeflectionCurve curve = read_curve_csv(scene.reference->file);
     DeflectionCurve sections{mesh.mesh.dim, mesh.section_x, {}};
@@ -142,14 +191,25 @@ std::optional<DeflectionCurve> read_reference(const Scene& scene, const SceneMes
   });
 }
 
+/// The displacements of another result at this mesh's nodes.
+std::optional<std::vector<double>> read_reference_displacement(const Scene& scene,
+                                                               const Mesh& mesh) {
+  if (!scene.reference || scene.reference->file.extension() != ".vtu") return std::nullopt;
+  return with_location(scene.reference->where, "reference.file", [&] {
+    return displacements_at(scene.reference->file, mesh.positions, mesh.dim);
+  });
+}
+
 }  // namespace
 
 Problem prepare(const Scene& scene, const std::vector<std::filesystem::path>& law_folders) {
   SceneMesh mesh = make_mesh(scene);
   std::map<std::string, symgen::Law> laws = read_laws(scene, mesh.blocks, law_folders);
   std::vector<BlockMaterial> materials = block_materials(scene, mesh.blocks, laws);
-  Constraints constraints = make_constraints(scene, mesh);
-  check_held(scene, mesh.mesh, constraints);
+  const SelectedConstraints selected = select_constraints(scene, mesh);
+  Constraints constraints = make_constraints(selected, mesh.mesh);
+  PrescribedMotion motion = make_motion(selected, mesh.mesh, constraints);
+  if (!scene.dynamics) check_held(scene, mesh.mesh, constraints);
   std::vector<NodalForce> forces = make_forces(scene, mesh);
   std::vector<SurfaceLoad> surface_loads = make_surface_loads(scene, mesh);
   std::vector<Probe> probes;
@@ -157,8 +217,11 @@ Problem prepare(const Scene& scene, const std::vector<std::filesystem::path>& la
     probes.push_back({probe.name, select_nodes(mesh, probe.nodes)});
   }
   std::optional<DeflectionCurve> reference = read_reference(scene, mesh);
-  return {std::move(mesh),   std::move(laws),          std::move(materials), std::move(constraints),
-          std::move(forces), std::move(surface_loads), std::move(probes),    std::move(reference)};
+  std::optional<std::vector<double>> displacement = read_reference_displacement(scene, mesh.mesh);
+  return {std::move(mesh),          std::move(laws),   std::move(materials),
+          std::move(constraints),   std::move(motion), std::move(forces),
+          std::move(surface_loads), std::move(probes), std::move(reference),
+          std::move(displacement)};
 }
 
 }  // namespace elastogen::selector

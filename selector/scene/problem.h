@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "runtime/constraints.h"
+#include "runtime/prescribed_motion.h"
 #include "selector/io/deflection_curve.h"
 #include "selector/scene/scene.h"
 #include "selector/scene/scene_mesh.h"
@@ -42,10 +43,12 @@ struct Problem {
   std::map<std::string, symgen::Law> laws;  ///< by name
   std::vector<BlockMaterial> materials;     ///< of each block
   Constraints constraints;
+  PrescribedMotion motion;  ///< over time; in statics over the load factor
   std::vector<NodalForce> forces;
   std::vector<SurfaceLoad> surface_loads;
   std::vector<Probe> probes;
-  std::optional<DeflectionCurve> reference;
+  std::optional<DeflectionCurve> reference;                   ///< at most one of the two
+  std::optional<std::vector<double>> reference_displacement;  ///< [dim * node + component], m
 };
 
 /// Makes the mesh, reads the laws and checks everything that needs them.

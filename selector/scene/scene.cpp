@@ -13,18 +13,6 @@
 namespace elastogen::selector {
 namespace {
 
-std::vector<std::string> axes_of(int dim) {
-  std::vector<std::string> axes = {"x", "y", "z"};
-  axes.resize(static_cast<std::size_t>(dim));
-  return axes;
-}
-
-/// `axes_of(dim).size()` for what is no axis.
-std::size_t axis_number(const std::string& axis, int dim) {
-  const std::vector<std::string> axes = axes_of(dim);
-  return static_cast<std::size_t>(std::find(axes.begin(), axes.end(), axis) - axes.begin());
-}
-
 std::filesystem::path beside_scene(const TomlTable& table, const std::string& file) {
   return std::filesystem::absolute(table.file()).parent_path() / file;
 }
@@ -33,53 +21,6 @@ symgen::AssociationId read_association(const TomlTable& table) {
   const std::string text = table.string("association");
   return with_location(table.where("association"), table.path_of("association"),
                        [&] { return symgen::AssociationId::parse(text); });
-}
-
-NodeSelection read_plane(const TomlTable& plane, int dim) {
-  plane.allow_only(axes_of(dim));
-  const std::vector<std::string> keys = plane.keys();
-  if (keys.size() != 1)
-    plane.fail(fmt::format("must give one of {}: {{ x = 0 }}", join(axes_of(dim), ", ")));
-  constexpr double inf = no_limit;
-  NodeSelection nodes{plane.where(), "", {-inf, -inf, -inf}, {inf, inf, inf}};
-  const std::size_t axis = axis_number(keys.front(), dim);
-  nodes.minimum[axis] = nodes.maximum[axis] = plane.number(keys.front(), any_number);
-  nodes.description = fmt::format("plane {} = {}", keys.front(), nodes.minimum[axis]);
-  return nodes;
-}
-
-NodeSelection read_box(const TomlTable& box, int dim) {
-  box.allow_only({"min", "max"});
-  NodeSelection nodes{box.where(), "", box.vector("min", dim), box.vector("max", dim)};
-  const auto used = static_cast<std::size_t>(dim);
-  for (std::size_t i = 0; i < used; ++i) {
-    if (nodes.minimum[i] > nodes.maximum[i]) {
-      box.fail("min", fmt::format("must not exceed max; along {} it does: {} > {}", axes_of(dim)[i],
-                                  nodes.minimum[i], nodes.maximum[i]));
-    }
-  }
-  nodes.description =
-      fmt::format("box [{}] to [{}]", fmt::join(std::span(nodes.minimum).first(used), ", "),
-                  fmt::join(std::span(nodes.maximum).first(used), ", "));
-  if (dim == 2) {
-    nodes.minimum[2] = -no_limit;
-    nodes.maximum[2] = no_limit;
-  }
-  return nodes;
-}
-
-NodeSelection read_selection(const TomlTable& table, int dim) {
-  if (table.has("plane") + table.has("box") + table.has("boundary") != 1) {
-    table.fail(fmt::format(
-        "needs one of plane = {{ x = 0 }}, box = {} and boundary = \"NAME\" to select nodes",
-        dim == 2 ? "{ min = [0, 0], max = [1, 1] }" : "{ min = [0, 0, 0], max = [1, 1, 1] }"));
-  }
-  if (table.has("boundary")) {
-    const std::string name = table.string("boundary");
-    return {table.where("boundary"), fmt::format("boundary '{}'", name), {}, {}, name};
-  }
-  return table.has("plane") ? read_plane(table.table("plane"), dim)
-                            : read_box(table.table("box"), dim);
 }
 
 /// Plane elements belong into plane scenes, the others into space.
@@ -173,12 +114,13 @@ ExplicitMeshDescription read_mesh(const TomlTable& table, int dim) {
   return mesh;
 }
 
-std::vector<MaterialDescription> read_materials(const TomlTable& materials) {
+std::vector<MaterialDescription> read_materials(const TomlTable& materials, bool dynamic) {
   std::vector<MaterialDescription> found;
   std::set<std::string> taken;
   for (const std::string& name : materials.keys()) {
     const TomlTable table = materials.table(name);
-    MaterialDescription material{name, {name}, table.number("density", not_negative), table};
+    MaterialDescription material{
+        name, {name}, table.number("density", dynamic ? positive_number : not_negative), table};
     if (table.has("regions")) material.regions = table.strings("regions");
     for (const std::string& region : material.regions) {
       if (!taken.insert(region).second) {
@@ -188,38 +130,6 @@ std::vector<MaterialDescription> read_materials(const TomlTable& materials) {
     found.push_back(std::move(material));
   }
   return found;
-}
-
-ConstraintDescription read_constraint(const TomlTable& table, int dim) {
-  table.allow_only({"plane", "box", "boundary", "fixed", "displacement"});
-  ConstraintDescription constraint;
-  constraint.nodes = read_selection(table, dim);
-  if (table.has("fixed")) {
-    for (const std::string& axis : table.strings("fixed")) {
-      if (axis_number(axis, dim) == axes_of(dim).size()) {
-        table.fail("fixed",
-                   fmt::format("'{}' is no component: {} are{}", axis, join(axes_of(dim), ", "),
-                               dim == 2 ? " in a plane scene" : ""));
-      }
-      constraint.displacement[axis_number(axis, dim)] = 0;
-    }
-  }
-  if (table.has("displacement")) {
-    const TomlTable displacement = table.table("displacement");
-    displacement.allow_only(axes_of(dim));
-    for (const std::string& axis : displacement.keys()) {
-      std::optional<double>& component = constraint.displacement[axis_number(axis, dim)];
-      if (component) displacement.fail(axis, "this component stands in 'fixed', too");
-      component = displacement.number(axis, any_number);
-    }
-  }
-  const auto& components = constraint.displacement;
-  if (std::none_of(components.begin(), components.end(), [](const auto& c) { return !!c; })) {
-    table.fail(
-        fmt::format("constrains nothing: give fixed = [\"{}\"] or displacement = {{ y = 1 }}",
-                    join(axes_of(dim), "\", \"")));
-  }
-  return constraint;
 }
 
 LoadDescription read_load(const TomlTable& table, int dim) {
@@ -251,8 +161,15 @@ std::vector<ProbeDescription> read_probes(const TomlTable& scene, int dim) {
   return probes;
 }
 
-SolverSettings read_solver(const TomlTable& table) {
-  table.allow_only({"method", "tolerance", "max_iterations", "load_steps", "threads"});
+SolverSettings read_solver(const TomlTable& table,
+                           const std::optional<DynamicsDescription>& dynamics) {
+  if (!dynamics) {
+    table.allow_only({"method", "tolerance", "max_iterations", "load_steps", "threads"});
+  } else if (is_explicit(dynamics->options.scheme)) {
+    table.allow_only({"threads"});
+  } else {
+    table.allow_only({"method", "threads"});
+  }
   SolverSettings solver;
   if (table.has("method")) {
     solver.method = table.choice("method", {"cg", "cholesky"}) == "cg"
@@ -266,22 +183,64 @@ SolverSettings read_solver(const TomlTable& table) {
   return solver;
 }
 
-OutputSettings read_output(const TomlTable& table, bool has_curve) {
-  table.allow_only({"write"});
-  OutputSettings output{false, false, false};
-  for (const std::string& name : table.strings("write")) {
-    if (name == "vtu") {
-      output.vtu = true;
-    } else if (name == "curve") {
-      if (!has_curve) table.fail("write", "a deflection curve needs a [bar]");
-      output.curve = true;
-    } else if (name == "picture") {
-      output.picture = true;
-    } else {
-      table.fail("write", fmt::format("'{}' is no output: vtu, curve, picture are", name));
+/// What is written unless the scene says something else.
+OutputSettings default_output(const Scene& scene) {
+  OutputSettings output;
+  output.curve = scene.bar.has_value();
+  output.series = output.history = scene.has_steps();
+  output.energy = !scene.dynamics;
+  return output;
+}
+
+OutputSettings read_output(const TomlTable& table, const Scene& scene) {
+  table.allow_only({"write", "every", "energy"});
+  OutputSettings output = default_output(scene);
+  if (table.has("write")) {
+    const bool energy = output.energy;
+    output = {false, false, false, false, false, {}, energy};
+    const std::vector<std::pair<std::string, bool*>> choices = {{"vtu", &output.vtu},
+                                                                {"curve", &output.curve},
+                                                                {"picture", &output.picture},
+                                                                {"series", &output.series},
+                                                                {"history", &output.history}};
+    std::vector<std::string> names;
+    for (const auto& [name, wanted] : choices) names.push_back(name);
+    for (const std::string& name : table.strings("write")) {
+      const auto chosen = std::find(names.begin(), names.end(), name);
+      if (chosen == names.end()) {
+        table.fail("write", fmt::format("'{}' is no output: {} are", name, join(names, ", ")));
+      }
+      *choices[static_cast<std::size_t>(chosen - names.begin())].second = true;
+    }
+    if (output.curve && !scene.bar) table.fail("write", "a deflection curve needs a [bar]");
+    if ((output.series || output.history) && !scene.has_steps()) {
+      table.fail("write", "series and history need [dynamics], or load_steps of 2 or more");
     }
   }
+  if (table.has("every")) {
+    if (!output.series) table.fail("every", "is of the series, which is not written");
+    output.every = table.integer("every", 1);
+  }
+  if (table.has("energy")) {
+    if (!scene.dynamics) table.fail("energy", "is for [dynamics]: statics always computes it");
+    output.energy = table.boolean("energy");
+  }
   return output;
+}
+
+MeasureSettings read_measure(const TomlTable& scene, bool has_solid_bar) {
+  MeasureSettings measure;
+  for (const std::string& name : scene.strings("measure")) {
+    if (name == "young") {
+      measure.young = true;
+    } else if (name == "poisson") {
+      measure.poisson = true;
+    } else {
+      scene.fail("measure", fmt::format("'{}' cannot be measured: young, poisson can", name));
+    }
+  }
+  if (!has_solid_bar) scene.fail("measure", "needs a [bar] in space, which is pulled along x");
+  return measure;
 }
 
 /// A bar without width is plane, a mesh is what its first block is.
@@ -295,6 +254,10 @@ int dimension_of(const TomlTable& scene) {
 
 ReferenceDescription read_reference(const TomlTable& table) {
   table.allow_only({"file", "label"});
+  const std::filesystem::path extension = std::filesystem::path(table.string("file")).extension();
+  if (extension != ".csv" && extension != ".vtu") {
+    table.fail("file", "must be a deflection curve (.csv) or a result file (.vtu)");
+  }
   return {table.where("file"), beside_scene(table, table.string("file")),
           table.has("label") ? table.string("label") : "reference"};
 }
@@ -304,7 +267,7 @@ ReferenceDescription read_reference(const TomlTable& table) {
 Scene read_scene(const std::filesystem::path& file) {
   const TomlTable table = TomlTable::open(file);
   table.allow_only({"title", "laws", "gravity", "bar", "mesh", "material", "constraint", "load",
-                    "probe", "solver", "output", "reference"});
+                    "probe", "dynamics", "solver", "measure", "output", "reference"});
   Scene scene;
   scene.file = file;
   scene.title = table.has("title") ? table.string("title") : file.stem().string();
@@ -334,22 +297,24 @@ Scene read_scene(const std::filesystem::path& file) {
   if (!table.has("material")) {
     table.fail("there is no material: add [material.NAME] with density, young and poisson");
   }
-  scene.materials = read_materials(table.table("material"));
+  if (table.has("dynamics")) scene.dynamics = read_dynamics(table.table("dynamics"), scene.dim);
+  scene.materials = read_materials(table.table("material"), scene.dynamics.has_value());
 
   for (const TomlTable& constraint : table.tables("constraint")) {
-    scene.constraints.push_back(read_constraint(constraint, scene.dim));
+    scene.constraints.push_back(read_constraint(constraint, scene.dim, scene.dynamics.has_value()));
   }
   for (const TomlTable& load : table.tables("load"))
     scene.loads.push_back(read_load(load, scene.dim));
   scene.probes = read_probes(table, scene.dim);
-  if (table.has("solver")) scene.solver = read_solver(table.table("solver"));
-  scene.output.curve = scene.bar.has_value();
-  if (table.has("output")) {
-    scene.output = read_output(table.table("output"), scene.bar.has_value());
+  if (table.has("solver")) scene.solver = read_solver(table.table("solver"), scene.dynamics);
+  if (table.has("measure")) {
+    scene.measure = read_measure(table, scene.bar && scene.dim == 3);
   }
+  scene.output =
+      table.has("output") ? read_output(table.table("output"), scene) : default_output(scene);
   if (table.has("reference")) {
     scene.reference = read_reference(table.table("reference"));
-    if (!scene.output.curve) {
+    if (scene.reference->file.extension() == ".csv" && !scene.output.curve) {
       table.table("reference").fail("needs a deflection curve: a [bar], and \"curve\" in output");
     }
   }

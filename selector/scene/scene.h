@@ -8,21 +8,13 @@
 #include <vector>
 
 #include "runtime/linear_solver.h"
+#include "selector/scene/constraint_table.h"
+#include "selector/scene/dynamics_table.h"
 #include "selector/scene/mesh_file_table.h"
 #include "selector/scene/toml_table.h"
 #include "symgen/pipeline.h"
 
 namespace elastogen::selector {
-
-/// Nodes by position: those inside a box, limits included. A plane is a box without thickness. Or
-/// by name: those of a boundary in a mesh file.
-struct NodeSelection {
-  std::string where;        ///< "scene.toml:14", for messages
-  std::string description;  ///< "plane x = 8"
-  std::array<double, 3> minimum{},
-      maximum{};              ///< metres; infinite where not limited (z in the plane)
-  std::string boundary = {};  ///< empty: by position
-};
 
 /// A part of a bar along x, cut into elements of one kind.
 struct SectionDescription {
@@ -71,11 +63,6 @@ struct MaterialDescription {
   TomlTable table;
 };
 
-struct ConstraintDescription {
-  NodeSelection nodes;
-  std::array<std::optional<double>, 3> displacement;  ///< of each component; 0: fixed; none: free
-};
-
 /// One of the three; pressure and traction act on the surface whose nodes are selected.
 struct LoadDescription {
   NodeSelection nodes;
@@ -101,12 +88,22 @@ struct OutputSettings {
   bool vtu = true;
   bool curve = true;  ///< only of bars
   bool picture = true;
+  bool series = false;  ///< of motions and load steps; so is the next
+  bool history = false;
+  std::optional<int> every;  ///< time or load steps between the files of the series
+  bool energy = true;        ///< elastic energy, and its density in each element
 };
 
-/// A curve that results are compared with.
+/// Constants of the material measured back from a bar that is pulled along x.
+struct MeasureSettings {
+  bool young = false;
+  bool poisson = false;
+};
+
+/// What results are compared with.
 struct ReferenceDescription {
   std::string where;
-  std::filesystem::path file;  ///< relative ones start at the scene file's folder
+  std::filesystem::path file;  ///< .csv: a deflection curve; .vtu: displacements of a whole body
   std::string label;
 };
 
@@ -123,9 +120,14 @@ struct Scene {
   std::vector<ConstraintDescription> constraints;
   std::vector<LoadDescription> loads;
   std::vector<ProbeDescription> probes;
+  std::optional<DynamicsDescription> dynamics;  ///< none: static equilibrium
   SolverSettings solver;
+  MeasureSettings measure;
   OutputSettings output;
   std::optional<ReferenceDescription> reference;
+
+  /// Whether the run goes through steps: of time, or of the load.
+  [[nodiscard]] bool has_steps() const { return dynamics || solver.load_steps > 1; }
 };
 
 /// Reads a scene file and checks all that can be checked without laws and mesh.

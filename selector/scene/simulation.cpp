@@ -3,31 +3,21 @@
 #include "runtime/loads.h"
 
 namespace elastogen::selector {
-namespace {
 
-std::span<const double> values_of(const Vector& vector) {
-  return {vector.data(), static_cast<std::size_t>(vector.size())};
-}
-
-ProbeResult evaluate_probe(const Probe& probe, std::size_t dim, const Vector& displacement,
-                           const Vector& reactions) {
-  ProbeResult result{probe.name, probe.nodes.size(), {}, {}};
-  for (const std::int32_t node : probe.nodes) {
-    for (std::size_t c = 0; c < dim; ++c) {
-      const auto dof = static_cast<Eigen::Index>(dim * static_cast<std::size_t>(node) + c);
-      result.displacement[c] += displacement[dof] / static_cast<double>(probe.nodes.size());
-      result.reaction[c] += reactions[dof];
+std::vector<std::string> operations_of(const Scene& scene, const Problem& problem) {
+  if (scene.dynamics) {
+    std::vector<std::string> operations = {"forces"};
+    // The right side of implicit Euler is a product, the preconditioner has blocks of the
+    // stiffness.
+    if (!is_explicit(scene.dynamics->options.scheme)) {
+      operations.insert(operations.end(), {"product", "stiffness"});
     }
+    if (scene.output.energy) operations.insert(operations.begin(), "energy");
+    return operations;
   }
-  return result;
-}
-
-}  // namespace
-
-std::vector<std::string> operations_of(LinearSolverKind method, const Constraints& constraints) {
   // Conjugate gradient takes the blocks of its preconditioner from the stiffness. Prescribed motion
   // starts from the linear answer to it, which takes products of constrained degrees of freedom.
-  if (method == LinearSolverKind::conjugate_gradient || constraints.has_motion()) {
+  if (scene.solver.method == LinearSolverKind::conjugate_gradient || !problem.motion.empty()) {
     return {"energy", "forces", "product", "stiffness"};
   }
   return {"energy", "forces", "stiffness"};
@@ -61,23 +51,28 @@ Vector make_load(const Scene& scene, const Problem& problem, const Model& model)
   return load;
 }
 
-SceneResults collect_results(const Problem& problem, Model& model, NewtonResult newton,
-                             Vector displacement) {
+SceneResults collect_results(const Scene& scene, const Problem& problem, Model& model,
+                             BodyState state) {
   SceneResults results;
-  model.element_energies(displacement, results.energy_density);
-  const std::span<const double> volumes = model.element_volumes();
-  for (std::size_t e = 0; e < volumes.size(); ++e) results.energy_density[e] /= volumes[e];
-  const auto dim = static_cast<std::size_t>(model.dim());
+  results.state = std::move(state);
+  if (scene.output.energy) {
+    results.energy_density = energy_density(model, results.state.displacement);
+  }
   for (const Probe& probe : problem.probes) {
-    results.probes.push_back(evaluate_probe(probe, dim, displacement, newton.reactions));
+    results.probes.push_back(evaluate_probe(probe, problem.mesh.mesh, results.state));
   }
   if (!problem.mesh.section_x.empty()) {
     results.curve = mean_of_sections(problem.mesh.section_x, problem.mesh.section_nodes,
-                                     values_of(displacement), model.dim());
+                                     values_of(results.state.displacement), model.dim());
     if (problem.reference) results.distance = distance(*results.curve, *problem.reference);
   }
-  results.newton = std::move(newton);
-  results.displacement = std::move(displacement);
+  if (problem.reference_displacement) {
+    results.field_distance = field_distance(values_of(results.state.displacement),
+                                            *problem.reference_displacement, model.dim());
+  }
+  if (scene.measure.young || scene.measure.poisson) {
+    results.moduli = measure_moduli(scene, problem, results.state);
+  }
   return results;
 }
 

@@ -25,6 +25,20 @@ const char* status_name(NewtonStatus status) {
   return "not converged";
 }
 
+const char* status_name(MotionStatus status) {
+  switch (status) {
+    case MotionStatus::at_rest:
+      return "at rest";
+    case MotionStatus::end_of_time:
+      return "end of time";
+    case MotionStatus::interrupted:
+      return "interrupted";
+    case MotionStatus::failed:
+      break;
+  }
+  return "failed";
+}
+
 const char* method_name(LinearSolverKind method) {
   return method == LinearSolverKind::cholesky ? "cholesky" : "cg";
 }
@@ -66,7 +80,7 @@ Json associations_json(const RunSummary& summary) {
 }
 
 Json newton_json(const RunSummary& summary) {
-  const NewtonResult& newton = summary.results->newton;
+  const NewtonResult& newton = *summary.newton;
   Json entry = {{"status", status_name(newton.status)},
                 {"method", method_name(summary.scene->solver.method)},
                 {"newton_iterations", newton.iterations},
@@ -82,12 +96,42 @@ Json newton_json(const RunSummary& summary) {
   return entry;
 }
 
+Json motion_json(const RunSummary& summary) {
+  const MotionPlan& plan = *summary.plan;
+  const MotionResult& motion = *summary.motion;
+  Json entry = {{"status", status_name(motion.status)},
+                {"scheme", scheme_name(plan.options.scheme)},
+                {"step", plan.options.step},
+                {"steps", motion.steps},
+                {"planned_steps", plan.num_steps},
+                {"time", motion.time},
+                {"kinetic_energy", summary.results->state.kinetic_energy},
+                {"steps_made", motion.steps_made},
+                {"force_evaluations", motion.force_evaluations},
+                {"threads", summary.threads}};
+  if (plan.critical_step) {
+    entry["critical_step"] = *plan.critical_step;
+  } else {
+    entry["method"] = method_name(summary.scene->solver.method);
+    entry["cg_iterations"] = motion.linear_iterations;
+    entry["halved_steps"] = motion.halvings;
+  }
+  if (!motion.reason.empty()) entry["reason"] = motion.reason;
+  return entry;
+}
+
 Json times_json(const RunSummary& summary) {
-  const NewtonTimes& newton = summary.results->newton.times;
-  return {{"mesh", summary.times.mesh},           {"kernels", summary.times.kernels},
-          {"setup", summary.times.setup},         {"solve", summary.times.solve},
-          {"solve_forces", newton.forces},        {"solve_tangents", newton.linearization},
-          {"solve_linear_systems", newton.solve}, {"output", summary.times.output}};
+  Json times = {{"mesh", summary.times.mesh},
+                {"kernels", summary.times.kernels},
+                {"setup", summary.times.setup},
+                {"solve", summary.times.solve}};
+  if (summary.newton) {
+    times["solve_forces"] = summary.newton->times.forces;
+    times["solve_tangents"] = summary.newton->times.linearization;
+    times["solve_linear_systems"] = summary.newton->times.solve;
+  }
+  times["output"] = summary.times.output;
+  return times;
 }
 
 Json components_json(const std::array<double, 3>& vector, std::size_t dim) {
@@ -100,7 +144,8 @@ Json probes_json(const SceneResults& results, std::size_t dim) {
     list.push_back({{"name", probe.name},
                     {"nodes", probe.num_nodes},
                     {"displacement", components_json(probe.displacement, dim)},
-                    {"reaction", components_json(probe.reaction, dim)}});
+                    {"reaction", components_json(probe.reaction, dim)},
+                    {"moment", dim == 2 ? Json(probe.moment[2]) : Json(probe.moment)}});
   }
   return list;
 }
@@ -161,6 +206,15 @@ std::string surface_loads_text(const Problem& problem) {
   return text;
 }
 
+std::string moduli_text(const MeasuredModuli& moduli) {
+  std::string text = fmt::format("  measured            at a strain of {:.3g}: ", moduli.strain);
+  if (moduli.young) text += fmt::format("E = {:.6g} Pa", *moduli.young);
+  if (moduli.young && moduli.poisson) text += ", ";
+  if (moduli.poisson) text += fmt::format("nu = {:.6f}", *moduli.poisson);
+  if (moduli.strain == 0) text += "nothing: the bar's length did not change";
+  return text + "\n";
+}
+
 std::string results_text(const RunSummary& summary) {
   const SceneResults& results = *summary.results;
   const auto dim = static_cast<std::size_t>(summary.problem->mesh.mesh.dim);
@@ -182,7 +236,59 @@ std::string results_text(const RunSummary& summary) {
         results.curve->deflection_name(), summary.scene->reference->label, results.distance->mean,
         results.distance->tip);
   }
+  if (results.field_distance) {
+    text += fmt::format(
+        "  distance            |u - {}|: mean {:.6f} m over the nodes, from {:.6f} to {:.6f} m\n",
+        summary.scene->reference->label, results.field_distance->mean,
+        results.field_distance->minimum, results.field_distance->maximum);
+  }
+  if (results.moduli) text += moduli_text(*results.moduli);
   return text;
+}
+
+std::string newton_text(const RunSummary& summary) {
+  const NewtonResult& newton = *summary.newton;
+  std::string text = fmt::format("  solver              {}: {}, {} Newton iterations, ",
+                                 method_name(summary.scene->solver.method),
+                                 status_name(newton.status), newton.iterations);
+  text += summary.scene->solver.method == LinearSolverKind::cholesky
+              ? fmt::format("{} factorizations", newton.factorizations)
+              : fmt::format("{} CG iterations", newton.linear_iterations);
+  if (newton.load_steps > 1) text += fmt::format(", {} load steps", newton.load_steps);
+  return text + "\n";
+}
+
+std::string motion_text(const RunSummary& summary) {
+  const MotionPlan& plan = *summary.plan;
+  const MotionResult& motion = *summary.motion;
+  std::string text = fmt::format(
+      "  motion              {}: {} after {} steps of {:.4g} s, t = {:.6g} s, kinetic energy "
+      "{:.3g} "
+      "J\n                      ",
+      scheme_name(plan.options.scheme), status_name(motion.status), motion.steps, plan.options.step,
+      motion.time, summary.results->state.kinetic_energy);
+  const auto made = static_cast<double>(std::max<std::int64_t>(motion.steps_made, 1));
+  if (plan.critical_step) {
+    text += fmt::format("critical step {:.4g} s", *plan.critical_step);
+  } else {
+    text += fmt::format("{}, {:.1f} CG iterations per step, {} steps halved",
+                        method_name(summary.scene->solver.method),
+                        static_cast<double>(motion.linear_iterations) / made, motion.halvings);
+  }
+  return text + fmt::format("; {:.3g} ms per step\n", 1000 * motion.seconds / made);
+}
+
+std::string times_text(const RunSummary& summary) {
+  std::string text = fmt::format(
+      "  times               mesh {:.2f} s, kernels {:.2f} s, setup {:.2f} s, solve {:.2f} s",
+      summary.times.mesh, summary.times.kernels, summary.times.setup, summary.times.solve);
+  if (summary.newton) {
+    const NewtonTimes& newton = summary.newton->times;
+    text += fmt::format(
+        " (forces {:.2f}, tangents and their products {:.2f}, rest of linear systems {:.2f})",
+        newton.forces, newton.linearization, newton.solve);
+  }
+  return text + fmt::format(", output {:.2f} s\n", summary.times.output);
 }
 
 }  // namespace
@@ -213,7 +319,12 @@ Json summary_json(const RunSummary& summary) {
   if (!summary.problem->surface_loads.empty()) {
     json["surface_loads"] = surface_loads_json(*summary.problem);
   }
-  json["solver"] = newton_json(summary);
+  if (summary.newton) json["solver"] = newton_json(summary);
+  if (summary.motion) json["motion"] = motion_json(summary);
+  if (summary.resumed_from) {
+    json["resumed_from"] = {{"step", summary.resumed_from->step},
+                            {summary.motion ? "time" : "load_factor", summary.resumed_from->time}};
+  }
   json["probes"] = probes_json(results, dim);
   if (results.curve)
     json["tip_displacement"] = components_json(results.curve->displacement.back(), dim);
@@ -223,6 +334,17 @@ Json summary_json(const RunSummary& summary) {
                          {"mean_distance_" + component, results.distance->mean},
                          {"tip_difference_" + component, results.distance->tip}};
   }
+  if (results.field_distance) {
+    json["reference"] = {{"label", summary.scene->reference->label},
+                         {"mean_distance", results.field_distance->mean},
+                         {"min_distance", results.field_distance->minimum},
+                         {"max_distance", results.field_distance->maximum}};
+  }
+  if (results.moduli) {
+    json["measured"] = {{"strain", results.moduli->strain}};
+    if (results.moduli->young) json["measured"]["young"] = *results.moduli->young;
+    if (results.moduli->poisson) json["measured"]["poisson"] = *results.moduli->poisson;
+  }
   json["seconds"] = times_json(summary);
   json["warnings"] = summary.warnings;
   json["files"] = summary.files;
@@ -231,27 +353,20 @@ Json summary_json(const RunSummary& summary) {
 
 std::string summary_text(const RunSummary& summary) {
   const Mesh& mesh = summary.problem->mesh.mesh;
-  const NewtonResult& newton = summary.results->newton;
   std::string text = fmt::format("{}\n  mesh                {} elements, {} nodes\n",
                                  summary.scene->title, mesh.num_elements(), mesh.num_nodes());
   text += associations_text(summary);
   text += surface_loads_text(*summary.problem);
-  text += fmt::format("  solver              {}: {}, {} Newton iterations, ",
-                      method_name(summary.scene->solver.method), status_name(newton.status),
-                      newton.iterations);
-  text += summary.scene->solver.method == LinearSolverKind::cholesky
-              ? fmt::format("{} factorizations\n", newton.factorizations)
-              : fmt::format("{} CG iterations\n", newton.linear_iterations);
-  if (!newton.reason.empty()) text += fmt::format("                      {}\n", newton.reason);
+  text += summary.newton ? newton_text(summary) : motion_text(summary);
+  const std::string& reason = summary.newton ? summary.newton->reason : summary.motion->reason;
+  if (!reason.empty()) text += fmt::format("                      {}\n", reason);
+  if (summary.resumed_from) {
+    text += fmt::format("  resumed             from step {}\n", summary.resumed_from->step);
+  }
   text += results_text(summary);
-  text += fmt::format("  skipped             operations that this solver does not call: {}\n",
+  text += fmt::format("  skipped             operations that this run does not call: {}\n",
                       join(skipped_operations(summary.operations), ", "));
-  text += fmt::format(
-      "  times               mesh {:.2f} s, kernels {:.2f} s, setup {:.2f} s, solve {:.2f} s "
-      "(forces {:.2f}, tangents and their products {:.2f}, rest of linear systems {:.2f}), output "
-      "{:.2f} s\n",
-      summary.times.mesh, summary.times.kernels, summary.times.setup, summary.times.solve,
-      newton.times.forces, newton.times.linearization, newton.times.solve, summary.times.output);
+  text += times_text(summary);
   text += fmt::format("  files               {} in {}\n", join(summary.files, ", "),
                       summary.folder.string());
   return text;

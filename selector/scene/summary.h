@@ -3,10 +3,12 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "runtime/model.h"
+#include "selector/scene/motion_run.h"
 #include "selector/scene/simulation.h"
 
 namespace elastogen::selector {
@@ -24,7 +26,7 @@ struct PhaseTimes {
   double mesh = 0;     ///< reading and checking the scene, making the mesh
   double kernels = 0;  ///< generating, compiling, loading
   double setup = 0;    ///< grouped constants, checks of rest shapes, loads
-  double solve = 0;    ///< Newton
+  double solve = 0;    ///< Newton, or all time steps; with the record of the steps
   double output = 0;   ///< writing results and pictures
 };
 
@@ -33,6 +35,10 @@ struct RunSummary {
   const Scene* scene = nullptr;
   const Problem* problem = nullptr;
   const SceneResults* results = nullptr;
+  std::optional<NewtonResult> newton;  ///< of statics
+  std::optional<MotionPlan> plan;      ///< of dynamics; so is the next
+  std::optional<MotionResult> motion;
+  std::optional<RunPosition> resumed_from;  ///< where the checkpoint was
   std::vector<KernelOrigin> kernels;
   std::vector<GroupSummary> groups;
   std::vector<std::string> operations;  ///< generated
@@ -43,7 +49,7 @@ struct RunSummary {
   std::vector<std::string> files;  ///< in `folder`
 };
 
-/// Operations that exist but were not generated, because the scene's solver calls none of them.
+/// Operations that exist but were not generated, because the scene's run calls none of them.
 [[nodiscard]] std::vector<std::string> skipped_operations(
     const std::vector<std::string>& generated);
 

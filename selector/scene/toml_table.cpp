@@ -118,6 +118,13 @@ int TomlTable::integer(std::string_view key, int minimum) const {
   return to_integer(key, required(key, "an integer"), minimum);
 }
 
+bool TomlTable::boolean(std::string_view key) const {
+  const toml::node& node = required(key, "true or false");
+  const auto* value = node.as_boolean();
+  if (!value) fail_at(node, key, "must be true or false");
+  return value->get();
+}
+
 std::string TomlTable::string(std::string_view key) const {
   const toml::node& node = required(key, "a string");
   const auto* value = node.as_string();
@@ -221,6 +228,12 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
     found.push_back(TomlTable(root_, *entry.as_table(), file_, path));
   }
   return found;
+}
+
+std::string TomlTable::text() const {
+  std::ostringstream text;
+  text << *table_;
+  return text.str();
 }
 
 void TomlTable::fail(std::string_view key, const std::string& message) const {

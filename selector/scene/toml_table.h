@@ -58,6 +58,7 @@ class TomlTable {
   /// Required values.
   [[nodiscard]] double number(std::string_view key, const NumberRange& range) const;
   [[nodiscard]] int integer(std::string_view key, int minimum) const;
+  [[nodiscard]] bool boolean(std::string_view key) const;
   [[nodiscard]] std::string string(std::string_view key) const;
   [[nodiscard]] std::vector<std::string> strings(std::string_view key) const;
   [[nodiscard]] std::vector<double> numbers(std::string_view key, std::size_t count,
@@ -79,6 +80,9 @@ class TomlTable {
   [[nodiscard]] TomlTable table(std::string_view key) const;
   /// An array of tables inside ([[key]]); empty when absent.
   [[nodiscard]] std::vector<TomlTable> tables(std::string_view key) const;
+
+  /// The table as text that does not depend on the file's spaces, comments and order of keys.
+  [[nodiscard]] std::string text() const;
 
   /// Throws InputError "file:line: path.key = found: message".
   [[noreturn]] void fail(std::string_view key, const std::string& message) const;

@@ -4,49 +4,13 @@
 
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "selector/support/files.h"
-#include "selector/support/process.h"
-#include "temporary_folder.h"
+#include "run_fixture.h"
 
 namespace elastogen::selector {
 namespace {
-
-/// Runs scenes in a folder of the test's own; compiled kernels are shared between the tests.
-class Run : public testing::Test {
- protected:
-  [[nodiscard]] ProcessResult run_scene(const std::filesystem::path& scene,
-                                        const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> command = {"env",          cache_setting(), program(),     "run",
-                                        scene.string(), "--out",         out().string()};
-    command.insert(command.end(), more.begin(), more.end());
-    return run_process(command);
-  }
-
-  [[nodiscard]] std::filesystem::path write(const std::string& text) const {
-    write_text_file(folder_.path() / "scene.toml", text);
-    return folder_.path() / "scene.toml";
-  }
-
-  [[nodiscard]] nlohmann::json summary() const {
-    return nlohmann::json::parse(read_text_file(out() / "summary.json", "summary"));
-  }
-
-  static std::filesystem::path shipped(const std::string& name) {
-    return std::filesystem::path(ELASTOGEN_SOURCE_DIR) / "scenes" / (name + ".toml");
-  }
-  static std::string cache_setting() {
-    return "ELASTOGEN_CACHE_DIR=" ELASTOGEN_BINARY_DIR "/scene-test-cache";
-  }
-  static std::string program() { return ELASTOGEN_BINARY_DIR "/bin/elastogen"; }
-  [[nodiscard]] std::filesystem::path out() const { return folder_.path() / "out"; }
-
- private:
-  TemporaryFolder folder_;
-};
 
 TEST_F(Run, MixedBeamComesNearTheConvergedCurve) {
   const ProcessResult result = run_scene(shipped("mixed_beam"));

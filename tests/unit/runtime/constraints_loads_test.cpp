@@ -19,7 +19,6 @@ TEST(Constraints, ImposeAndProject) {
   c.prescribe(2, 0, 0.5);
   c.prescribe(2, 0, 0.5);  // the same again is no conflict
   EXPECT_EQ(c.num_constrained(), 5u);
-  EXPECT_TRUE(c.has_motion());
   Vector u = Vector::Ones(9);
   c.impose(u);
   EXPECT_EQ(u, (Vector(9) << 0, 0, 0, 1, 1, 0, 0.5, 1, 1).finished());

@@ -1,0 +1,88 @@
+#include "selector/io/displacement_field.h"
+
+#include <fmt/format.h>
+#include <vtkDataArray.h>
+#include <vtkGenericCell.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkStaticCellLocator.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "runtime/error.h"
+
+namespace elastogen::selector {
+namespace {
+
+/// How far outside a cell a point may lie, as a part of the body's size: rounding.
+constexpr double tolerance = 1e-9;
+
+}  // namespace
+
+std::vector<double> displacements_at(const std::filesystem::path& file,
+                                     std::span<const double> positions, int dim) {
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(file.c_str());
+  if (!std::filesystem::is_regular_file(file) || !reader->CanReadFile(file.c_str())) {
+    throw InputError(fmt::format("{}: is no VTU file that can be read", file.string()));
+  }
+  reader->Update();
+  vtkUnstructuredGrid* grid = reader->GetOutput();
+  vtkDataArray* displacement = grid->GetPointData()->GetArray("displacement");
+  if (!displacement || displacement->GetNumberOfComponents() != 3 ||
+      grid->GetNumberOfCells() == 0) {
+    throw InputError(
+        fmt::format("{}: has no cells with the point data 'displacement'", file.string()));
+  }
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(grid);
+  locator->BuildLocator();
+
+  const auto each = static_cast<std::size_t>(dim);
+  const double size = grid->GetLength();
+  std::vector<double> result(positions.size(), 0.0);
+  vtkNew<vtkGenericCell> cell;
+  for (std::size_t p = 0; p < positions.size() / each; ++p) {
+    std::array<double, 3> at{}, local{};
+    std::copy_n(&positions[each * p], each, at.begin());
+    std::array<double, 8> weights{};  // of a hexahedron; other cells have fewer
+    const vtkIdType found = locator->FindCell(at.data(), tolerance * size * tolerance * size, cell,
+                                              local.data(), weights.data());
+    if (found < 0) {
+      throw InputError(
+          fmt::format("{}: the point [{}] lies in none of its cells: the bodies differ",
+                      file.string(), fmt::join(at, ", ")));
+    }
+    for (vtkIdType n = 0; n < cell->GetNumberOfPoints(); ++n) {
+      for (std::size_t c = 0; c < each; ++c) {
+        result[each * p + c] +=
+            weights[static_cast<std::size_t>(n)] *
+            displacement->GetComponent(cell->GetPointId(n), static_cast<int>(c));
+      }
+    }
+  }
+  return result;
+}
+
+FieldDistance field_distance(std::span<const double> values, std::span<const double> reference,
+                             int dim) {
+  const auto each = static_cast<std::size_t>(dim);
+  const std::size_t count = values.size() / each;
+  FieldDistance distance{0, INFINITY, 0};
+  for (std::size_t p = 0; p < count; ++p) {
+    double square = 0;
+    for (std::size_t c = 0; c < each; ++c) {
+      square += std::pow(values[each * p + c] - reference[each * p + c], 2);
+    }
+    distance.mean += std::sqrt(square) / static_cast<double>(count);
+    distance.minimum = std::min(distance.minimum, std::sqrt(square));
+    distance.maximum = std::max(distance.maximum, std::sqrt(square));
+  }
+  return distance;
+}
+
+}  // namespace elastogen::selector

@@ -1,0 +1,51 @@
+// The state of a body at one moment, as results show it.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "runtime/model.h"
+#include "runtime/vector.h"
+#include "selector/scene/problem.h"
+
+namespace elastogen::selector {
+
+/// Vectors over the degrees of freedom [dim * node + component].
+struct BodyState {
+  Vector displacement;        ///< [m]
+  Vector velocity;            ///< [m/s]; empty in statics
+  Vector internal_forces;     ///< -dW/dU [N]
+  Vector reactions;           ///< forces of the supports on the body [N]
+  double kinetic_energy = 0;  ///< [J]
+};
+
+[[nodiscard]] inline std::span<const double> values_of(const Vector& vector) {
+  return {vector.data(), static_cast<std::size_t>(vector.size())};
+}
+
+/// Means and sums over a probe's nodes; in the plane the last components are 0.
+struct ProbeResult {
+  std::string name;
+  std::size_t num_nodes = 0;
+  std::array<double, 3> displacement{};  ///< mean [m]
+  std::array<double, 3> reaction{};      ///< sum of the supports' forces on the body there [N]
+  /// Moment of those forces, where they act now, about the centre of the nodes at rest [N m]; in
+  /// the plane only the last component.
+  std::array<double, 3> moment{};
+};
+
+[[nodiscard]] ProbeResult evaluate_probe(const Probe& probe, const Mesh& mesh,
+                                         const BodyState& state);
+
+/// Elastic energy of each element per rest volume [J/m^3].
+[[nodiscard]] std::vector<double> energy_density(Model& model, const Vector& displacement);
+
+/// Writes mesh, state, associations and regions for ParaView (docs/scene.md), atomically.
+/// @param energy_density  of each element [J/m^3]; empty: left out
+/// @throws WorkError  when the file cannot be written
+void write_state(const std::filesystem::path& file, const SceneMesh& mesh, const BodyState& state,
+                 std::span<const double> energy_density);
+
+}  // namespace elastogen::selector
