@@ -81,7 +81,7 @@ case $command in
   test)
     install_packages "${packages[@]}" "${test_packages[@]}"
     build ON all
-    ctest --preset release "$@"
+    ctest --preset release --parallel "$(nproc)" "$@"
     ;;
   -h | --help | help)
     usage

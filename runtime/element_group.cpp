@@ -71,7 +71,11 @@ ElementGroup make_element_group(const Mesh& mesh, const ElementGroupSource& sour
     group.elements[k] = static_cast<std::int32_t>(source.first_element + e);
     const std::span<const std::int32_t> element_nodes = block.element_nodes(e);
     for (std::size_t a = 0; a < nodes; ++a) {
-      const std::int32_t dof = element_nodes[a] * group.dim;
+      const std::size_t own =
+          source.node_order.empty()
+              ? a
+              : static_cast<std::size_t>(source.node_order[order[k] * nodes + a]);
+      const std::int32_t dof = element_nodes[own] * group.dim;
       group.dofs[(batch * nodes + a) * lanes + lane] = dof;
       for (std::size_t i = 0; i < dim; ++i) {
         group.positions[((batch * nodes + a) * dim + i) * lanes + lane] =

@@ -64,6 +64,8 @@ struct ElementGroupSource {
   std::size_t block = 0;
   std::size_t first_element = 0;           ///< mesh number of the block's element 0
   std::span<const std::int32_t> elements;  ///< indices within the block
+  /// [k * num_nodes + a]: which node of the k-th element stands at place a; empty: their own order.
+  std::span<const int> node_order;
   const KernelTable<double>* table = nullptr;
   const VariantTable<double>* kernels = nullptr;
   std::span<const double> parameters;

@@ -69,7 +69,9 @@ void add_diagonal_blocks(const ElementGroup& group, std::size_t batch, const dou
 
 const char* status_text(std::uint32_t flags) {
   if ((flags & status_outside_domain) != 0) {
-    return "its deformation left the domain of its law (it is turned inside out or flattened)";
+    return "its deformation is outside the domain of its law (turned inside out, flattened, or "
+           "where "
+           "the law has no derivative)";
   }
   return "its result is not finite";
 }

@@ -169,14 +169,17 @@ std::vector<ElementGroup> make_element_groups(const Mesh& mesh, std::span<const 
     const VariantTable<double>* box = find_variant(*part.kernels, "box");
     std::vector<std::int32_t> boxes;
     std::vector<std::int32_t> others;
+    std::vector<int> box_order;
     for (const std::int32_t e : part.elements) {
-      const bool is_box =
-          box != nullptr && is_axis_aligned_box(mesh, block, static_cast<std::size_t>(e));
-      (is_box ? boxes : others).push_back(e);
+      std::vector<int> order;
+      if (box != nullptr) order = box_node_order(mesh, block, static_cast<std::size_t>(e));
+      (order.empty() ? others : boxes).push_back(e);
+      box_order.insert(box_order.end(), order.begin(), order.end());
     }
     ElementGroupSource source{p,
                               part.block,
                               first_element[part.block],
+                              {},
                               {},
                               part.kernels,
                               nullptr,
@@ -184,11 +187,13 @@ std::vector<ElementGroup> make_element_groups(const Mesh& mesh, std::span<const 
                               part.density};
     if (!boxes.empty()) {
       source.elements = boxes;
+      source.node_order = box_order;
       source.kernels = box;
       groups.push_back(make_element_group(mesh, source));
     }
     if (!others.empty()) {
       source.elements = others;
+      source.node_order = {};
       source.kernels = find_variant(*part.kernels, "general");
       groups.push_back(make_element_group(mesh, source));
     }

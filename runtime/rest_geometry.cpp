@@ -69,26 +69,57 @@ struct BadShape {
 
 }  // namespace
 
-bool is_axis_aligned_box(const Mesh& mesh, const ElementBlock& block, std::size_t element) {
+std::vector<int> box_node_order(const Mesh& mesh, const ElementBlock& block, std::size_t element) {
   const bool may_be_box = mesh.dim == 3 ? block.element == "hexa8" : block.element == "quad4";
-  if (!may_be_box) return false;
+  if (!may_be_box) return {};
   const auto dim = static_cast<std::size_t>(mesh.dim);
-  const std::size_t opposite_corner = dim == 3 ? 6 : 2;  // of corner 0
   const std::span<const std::int32_t> nodes = block.element_nodes(element);
   const auto position = [&](std::size_t a, std::size_t i) {
     return mesh.positions[dim * static_cast<std::size_t>(nodes[a]) + i];
   };
-  std::array<double, 3> edge{};
-  for (std::size_t i = 0; i < dim; ++i) edge[i] = position(opposite_corner, i) - position(0, i);
-  const double tolerance = 1e-12 * std::max({edge[0], edge[1], edge[2]});
-  for (std::size_t i = 0; i < dim; ++i) {
-    if (!(edge[i] > 0)) return false;
-    for (std::size_t a = 0; a < nodes.size(); ++a) {
-      const double expected = position(0, i) + box_corners[a][i] * edge[i];
-      if (!(std::abs(position(a, i) - expected) <= tolerance)) return false;
+  // Edges from node 0 along the element's own coordinates, which must lie along the axes.
+  constexpr std::array<std::size_t, 3> neighbours = {1, 3, 4};
+  std::array<std::array<double, 3>, 3> edge{};
+  std::array<std::size_t, 3> axis{};
+  double longest = 0;
+  for (std::size_t d = 0; d < dim; ++d) {
+    for (std::size_t i = 0; i < dim; ++i) {
+      edge[d][i] = position(neighbours[d], i) - position(0, i);
+      if (std::abs(edge[d][i]) > std::abs(edge[d][axis[d]])) axis[d] = i;
+    }
+    longest = std::max(longest, std::abs(edge[d][axis[d]]));
+  }
+  const double tolerance = 1e-12 * longest;
+  for (std::size_t a = 0; a < nodes.size(); ++a) {
+    for (std::size_t i = 0; i < dim; ++i) {
+      double expected = position(0, i);
+      for (std::size_t d = 0; d < dim; ++d) {
+        if (axis[d] == i) expected += box_corners[a][d] * edge[d][i];
+      }
+      if (!(std::abs(position(a, i) - expected) <= tolerance)) return {};
     }
   }
-  return true;
+  // Turned, not mirrored: the permutation of the axes times their directions is even.
+  int orientation = 1;
+  for (std::size_t d = 0; d < dim; ++d) {
+    if (edge[d][axis[d]] == 0) return {};
+    if (edge[d][axis[d]] < 0) orientation = -orientation;
+    for (std::size_t e = 0; e < d; ++e) {
+      if (axis[e] == axis[d]) return {};
+      if (axis[e] > axis[d]) orientation = -orientation;
+    }
+  }
+  if (orientation < 0) return {};
+  std::vector<int> order(nodes.size());
+  for (std::size_t a = 0; a < nodes.size(); ++a) {
+    std::array<int, 3> corner{};
+    for (std::size_t d = 0; d < dim; ++d) {
+      corner[axis[d]] = edge[d][axis[d]] > 0 ? box_corners[a][d] : 1 - box_corners[a][d];
+    }
+    const auto at = std::find(box_corners.begin(), box_corners.end(), corner);
+    order[static_cast<std::size_t>(at - box_corners.begin())] = static_cast<int>(a);
+  }
+  return order;
 }
 
 const VariantTable<double>* find_variant(const KernelTable<double>& table,

@@ -3,18 +3,19 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "runtime/element_group.h"
 #include "runtime/mesh.h"
 
 namespace elastogen {
 
-/// Whether an element's rest shape is an axis-aligned box with its nodes in the order of hexa8:
-/// (0,0,0) (1,0,0) (1,1,0) (0,1,0), then the same at z = 1, to 1e-12 of the longest edge; or, in
-/// the plane, an axis-aligned rectangle in the order of quad4, the first four.
-/// Elements of other types are none.
-[[nodiscard]] bool is_axis_aligned_box(const Mesh& mesh, const ElementBlock& block,
-                                       std::size_t element);
+/// If an element's rest shape is an axis-aligned box, to 1e-12 of its longest edge, or in the plane
+/// a rectangle: which of its nodes lie at the corners (0,0,0) (1,0,0) (1,1,0) (0,1,0), then the
+/// same at z = 1, the order of hexa8 and quad4. The element's own order may be turned against that,
+/// as mesh generators do. Empty for other shapes, inverted ones, and elements of other types.
+[[nodiscard]] std::vector<int> box_node_order(const Mesh& mesh, const ElementBlock& block,
+                                              std::size_t element);
 
 /// The variant of a table for a geometry, or null.
 [[nodiscard]] const VariantTable<double>* find_variant(const KernelTable<double>& table,

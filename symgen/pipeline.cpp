@@ -312,8 +312,9 @@ std::string dot_graph(const AssociationId& id, const Law& law, const GenerateOpt
 Evaluation evaluate_graph(const AssociationId& id, const Law& law, const ElementCase& input,
                           GraphScalar scalar, const GenerateOptions& options) {
   const bool is_reference = scalar != GraphScalar::dag_double;
-  const Formulation formulation(id, law, !is_reference && options.stabilise,
-                                is_reference ? Derivation::dag : options.derivation);
+  const Formulation formulation(
+      id, law, !is_reference && options.stabilise,
+      scalar == GraphScalar::cln_expanded ? Derivation::dag : options.derivation);
   ElementGraph graph = formulation.graph(law, Geometry::general);
   std::vector<std::vector<std::string>> names;
   for (const auto* nodes :

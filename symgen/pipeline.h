@@ -109,9 +109,9 @@ void check_association(const AssociationId& id, const Law& law);
 /// equal input.
 [[nodiscard]] std::string generator_fingerprint();
 
-/// Content hash of what `generate_association` is asked for: association, law text, options, version
-/// of generator and kernel interface. It stands in the generated text; the fingerprint does not, so
-/// that a text changes only when something in it does.
+/// Content hash of what `generate_association` is asked for: association, law text, options,
+/// version of generator and kernel interface. It stands in the generated text; the fingerprint does
+/// not, so that a text changes only when something in it does.
 [[nodiscard]] std::string association_hash(const AssociationId& id, const Law& law,
                                            const GenerateOptions& options);
 
@@ -145,7 +145,8 @@ struct ElementCase {
 };
 
 /// What walks which graph: double the one that `options` choose, after all passes; CLN, with 100
-/// digits and 40 shown, the textbook form before all passes, or the thesis's polynomials with every
+/// digits and 40 shown, the textbook form before all passes (derived as `options` say), or the
+/// thesis's polynomials with every
 /// monomial written out (affine elements with laws polynomial in H).
 enum class GraphScalar { dag_double, cln, cln_expanded };
 

@@ -201,11 +201,13 @@ void check_rest_shape_is_box(const symgen::ElementCase& input, const std::string
   block.nodes.resize(static_cast<std::size_t>(element.num_nodes()));
   std::iota(block.nodes.begin(), block.nodes.end(), 0);
   block.region = {0};
-  if (!is_axis_aligned_box(mesh, block, 0)) {
+  const std::vector<int> order = box_node_order(mesh, block, 0);
+  if (!std::is_sorted(order.begin(), order.end()) || order.empty()) {
     throw InputError(fmt::format(
-        "{}: rest_positions: the element is no axis-aligned box, which --geometry box needs; take "
-        "--geometry general",
-        source));
+        "{}: rest_positions: {}, which --geometry box needs; take --geometry general", source,
+        order.empty()
+            ? "the element is no axis-aligned box"
+            : "the box's nodes are not in an order along the axes, the least corner first"));
   }
 }
 

@@ -48,6 +48,17 @@ symgen::Derivation other_derivation(symgen::Derivation derivation) {
                                                  : symgen::Derivation::ginac;
 }
 
+/// "(-1, -1, -1) (1, -1, -1) ...": reference coordinates.
+std::string node_order_text(const symgen::Element& element) {
+  std::string text;
+  for (const std::vector<GiNaC::ex>& node : element.nodes) {
+    std::vector<std::string> coordinates;
+    for (const GiNaC::ex& x : node) coordinates.push_back(symgen::expression_text(x));
+    text += fmt::format("{}({})", text.empty() ? "" : " ", fmt::join(coordinates, ", "));
+  }
+  return text;
+}
+
 Json decimals(const std::vector<GiNaC::ex>& numbers) {
   Json array = Json::array();
   for (const GiNaC::ex& number : numbers) array.push_back(decimal_text(number, decimal_digits));
@@ -188,6 +199,7 @@ void print_explanation(const Explanation& explanation) {
   }
   fmt::print("  element     {}, {} nodes\n", explanation.element.name,
              explanation.element.num_nodes());
+  fmt::print("              in the order {}\n", node_order_text(explanation.element));
   fmt::print("  quadrature  {}, {} point{}\n", explanation.quadrature.name,
              explanation.quadrature.num_points(),
              explanation.quadrature.num_points() == 1 ? "" : "s");
@@ -233,6 +245,9 @@ int run_explain(const ExplainOptions& options, const Context& context) {
   const auto id = symgen::AssociationId::parse(options.association);
   const symgen::Law law = read_law_of(id, context);
   if (!options.dot_file.empty()) return write_graph(options, id, law, context);
+  if (options.formulation == "thesis" && options.stages) {
+    throw InputError("--stages: the thesis's formulation goes through none of the stages");
+  }
   if (options.formulation == "thesis") return explain_thesis(id, law, options.json, context);
 
   symgen::GenerateOptions other = context.generate;

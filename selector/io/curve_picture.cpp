@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "selector/io/gnuplot.h"
 
 namespace elastogen::selector {
@@ -34,6 +37,15 @@ void draw_curve(const std::filesystem::path& picture, const DeflectionCurve& cur
       "set grid lt 1 lw 1 lc rgb '#dddddd'\nset lmargin 11\nset rmargin 3\n"
       "set ylabel 'mean {} of the section [m]'\n",
       curve.deflection_name());
+  // What is only rounding shall look like it.
+  double largest = 0;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    largest = std::max(largest, std::abs(curve.deflection(i)));
+  }
+  const double smallest_range = 1e-6 * (curve.x.back() - curve.x.front());
+  if (largest < smallest_range) {
+    script += fmt::format("set yrange [{}:{}]\n", -smallest_range, smallest_range);
+  }
   const std::string own =
       "$curve using 1:2 with linespoints lt 1 lw 2 pt 7 ps 0.6 lc rgb '#1f5fa8' "
       "title 'this run'";

@@ -156,6 +156,12 @@ void check_repeated(const std::filesystem::path& file, MeshDraft& draft) {
       const std::span<std::int32_t> nodes = nodes_of(elements, e);
       std::vector<std::int32_t> key(nodes.begin(), nodes.end());
       std::sort(key.begin(), key.end());
+      if (const auto twice = std::adjacent_find(key.begin(), key.end()); twice != key.end()) {
+        throw InputError(fmt::format(
+            "{}: element {} ({}) has the node {} twice: it is degenerate; repair the mesh",
+            file.string(), elements.numbers[e], elements.element,
+            draft.node_numbers[static_cast<std::size_t>(*twice)]));
+      }
       const auto [first, is_new] = seen.emplace(std::move(key), elements.numbers[e]);
       if (is_new) continue;
       throw InputError(fmt::format(

@@ -216,14 +216,16 @@ std::string association_of_led(const std::string& law, const std::string& elemen
   }
   const std::string prefix = "Decoupage";
   if (split == prefix + "Non") return fmt::format("{}-{}-{}-none", ours, type, rule);
+  if (split == prefix + "Tout") return fmt::format("{}-{}-{}-lgnd", ours, type, rule);
   std::string letters;
   for (const char letter : std::string("LGND")) {
     if (split.find(letter, prefix.size()) != std::string::npos) letters += letter;
   }
   if (!split.starts_with(prefix) || letters.empty() || split != prefix + letters) {
-    throw InputError(fmt::format(
-        "Decoupage '{}': must be DecoupageNon, or Decoupage and letters of LGND in this order",
-        split));
+    throw InputError(
+        fmt::format("Decoupage '{}': must be DecoupageNon, DecoupageTout, or Decoupage and letters "
+                    "of LGND in this order",
+                    split));
   }
   std::transform(letters.begin(), letters.end(), letters.begin(),
                  [](char c) { return static_cast<char>(c - 'A' + 'a'); });

@@ -14,7 +14,7 @@ namespace elastogen::selector {
 ///
 /// All elements are of the region `default`. Names become ours: Hooke and SaintVenant; Triangle,
 /// Quad, Tetra, Hexa or Cube, Prism, Pyramid, with a number of nodes and Gauss points as in Cube8I;
-/// DecoupageNon, or Decoupage with some of the letters L, G, N, D.
+/// DecoupageNon, DecoupageTout (all four), or Decoupage with some of the letters L, G, N, D.
 ///
 /// @throws InputError  a file that is missing, or a line that does not fit, by its number
 [[nodiscard]] MeshFile read_thesis_mesh(const std::filesystem::path& obj_file);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "runtime/error.h"
@@ -11,6 +12,14 @@
 
 namespace elastogen::selector {
 namespace {
+
+/// A name as a key of TOML.
+std::string toml_key(const std::string& name) {
+  const bool is_bare = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-';
+  });
+  return is_bare ? name : "\"" + name + "\"";
+}
 
 bool follows_from_young_poisson(const symgen::Law& law) {
   return std::none_of(law.parameters.begin(), law.parameters.end(),
@@ -43,7 +52,7 @@ std::vector<std::size_t> materials_of_blocks(const std::vector<MaterialDescripti
           "{}: {}.region = '{}': this region has no material{}; add [material.{}], or name it in "
           "the 'regions' of a material",
           block.region_where, block.path, block.region, did_you_mean(block.region, with_material),
-          block.region));
+          toml_key(block.region)));
     }
     found.push_back(static_cast<std::size_t>(material - materials.begin()));
   }

@@ -137,10 +137,6 @@ LoadDescription read_load(const TomlTable& table, int dim) {
   if (table.has("force") + table.has("pressure") + table.has("traction") != 1) {
     table.fail("needs one of force = [0, 0, -10], pressure = 1e4 and traction = [0, 0, -1e4]");
   }
-  if (dim == 2 && !table.has("force")) {
-    table.fail(table.has("pressure") ? "pressure" : "traction",
-               "surface loads act on faces of bodies in space; in a plane scene give the force");
-  }
   LoadDescription load{read_selection(table, dim), {}, {}, {}};
   if (table.has("force")) load.force = table.vector("force", dim);
   if (table.has("pressure")) load.pressure = table.number("pressure", any_number);

@@ -185,10 +185,10 @@ std::string vector_text(std::span<const double> vector, int precision) {
 }
 
 std::string associations_text(const RunSummary& summary) {
-  std::string text = fmt::format("  {:<28}{:<9}{:>9}{:>11}{:>15}  {}\n", "association", "geometry",
+  std::string text = fmt::format("  {:<31} {:<9}{:>9}{:>11}{:>15}  {}\n", "association", "geometry",
                                  "elements", "constants", "bytes/element", "kernels");
   for (const GroupSummary& group : joined(summary.groups)) {
-    text += fmt::format("  {:<28}{:<9}{:>9}{:>11}{:>15}  {}\n", group.association, group.geometry,
+    text += fmt::format("  {:<31} {:<9}{:>9}{:>11}{:>15}  {}\n", group.association, group.geometry,
                         group.num_elements, group.num_constants, group.bytes_per_element,
                         kernel_text(summary, group.association));
   }

@@ -91,8 +91,11 @@ class Check {
           "no values within all ranges were found; widen 'minimum' ... 'maximum'");
     }
     if (!find_rest_tangent()) {
-      result_.notes.push_back(
-          "what follows from the tangent was not examined: it is not finite at rest");
+      // Where a term is not even stress-free, that is what its author has to mend.
+      if (!result_.holds()) return std::move(result_);
+      add("positive definite at rest", "", Evidence::proved, false,
+          "the tangent is not finite at rest, where every run starts: write the energy so that its "
+          "second derivatives exist there (no roots of what vanishes at rest)");
       return std::move(result_);
     }
     check_positive_definite();

@@ -34,7 +34,9 @@ struct Token {
 }
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_name_character(char c) { return is_identifier(std::string(1, c)) || is_digit(c); }
+bool is_name_character(char c) {
+  return is_identifier(std::string(1, c)) || is_digit(c) || c == '_';
+}
 
 /// End of the number that starts at `begin`: digits, a point, an exponent if digits follow it.
 std::size_t end_of_number(const std::string& text, std::size_t begin) {

@@ -64,7 +64,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 std::string read_identifier(const TomlFields& fields, const std::vector<std::string>& taken) {
   const std::string name = fields.required_text("name");
   if (!is_identifier(name)) {
-    fields.fail("name", fmt::format("name '{}' is no identifier: use a letter or '_', then "
+    fields.fail("name", fmt::format("name '{}' is no identifier: use a letter, then "
                                     "letters, digits and '_'",
                                     name));
   }
@@ -123,6 +123,12 @@ Parameter read_parameter(const std::string& file, const toml::table& table, std:
   }
   parameter.symbol = GiNaC::symbol(parameter.name);
   parameter.unit = fields.required_text("unit");
+  if (parameter.unit != "Pa" && parameter.unit != "1") {
+    fields.fail("unit",
+                fmt::format("unit '{}': must be \"Pa\", or \"1\" for a plain number; values "
+                            "are taken in SI units",
+                            parameter.unit));
+  }
   parameter.description = fields.optional_text("description");
   read_range(fields, parameter);
   parameter.from_young_poisson = fields.optional_text("from_young_poisson");

@@ -113,6 +113,7 @@ bool is_positive_sum(const ex& sum, const Law& law) {
     ex coefficient = product;
     int sign = 1;
     for (const Parameter& parameter : law.parameters) {
+      if (!coefficient.is_polynomial(parameter.symbol)) return -1;  // a root, say
       const int degree = coefficient.degree(parameter.symbol);
       if (degree == 0) continue;
       coefficient = coefficient.coeff(parameter.symbol, degree);

@@ -15,7 +15,7 @@ namespace elastogen::symgen {
 /// "a, b, c"; "none" for an empty list.
 [[nodiscard]] std::string join_names(const std::vector<std::string>& names);
 
-/// A letter or underscore, then letters, digits and underscores (ASCII).
+/// A letter, then letters, digits and underscores (ASCII).
 [[nodiscard]] bool is_identifier(const std::string& name);
 
 }  // namespace elastogen::symgen

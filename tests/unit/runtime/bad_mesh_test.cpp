@@ -1,9 +1,13 @@
 // What the model's constructor refuses, and how it says so.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "runtime/error.h"
 #include "runtime/rest_geometry.h"
@@ -125,18 +129,72 @@ TEST(KernelTable, OfAnotherAbiVersionIsRefused) {
   EXPECT_THROW(Model(mesh, one_part(mesh, table)), InternalError);
 }
 
-TEST(AxisAlignedBox, NeedsStraightAnglesAndTheNodeOrder) {
+TEST(AxisAlignedBox, NeedsStraightAngles) {
   Mesh mesh = bar_mesh("hexa8", {1, 1, 1}, {3, 0.1, 2});
-  EXPECT_TRUE(is_axis_aligned_box(mesh, mesh.blocks[0], 0));
+  EXPECT_EQ(box_node_order(mesh, mesh.blocks[0], 0), (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}));
   mesh.positions[0] += 1e-9;
-  EXPECT_FALSE(is_axis_aligned_box(mesh, mesh.blocks[0], 0));
+  EXPECT_TRUE(box_node_order(mesh, mesh.blocks[0], 0).empty());
   mesh.positions[0] -= 1e-9;
-  // The same box with its nodes turned by a quarter about z.
-  auto& n = mesh.blocks[0].nodes;
-  n = {n[1], n[2], n[3], n[0], n[5], n[6], n[7], n[4]};
-  EXPECT_FALSE(is_axis_aligned_box(mesh, mesh.blocks[0], 0));
+  // Sheared: every node but one pair is in place.
+  mesh.positions[3 * static_cast<std::size_t>(mesh.blocks[0].nodes[6])] += 0.1;
+  EXPECT_TRUE(box_node_order(mesh, mesh.blocks[0], 0).empty());
   const Mesh tets = bar_mesh("tet4", {1, 1, 1}, {1, 1, 1});
-  EXPECT_FALSE(is_axis_aligned_box(tets, tets.blocks[0], 0));
+  EXPECT_TRUE(box_node_order(tets, tets.blocks[0], 0).empty());
+}
+
+/// Turns about an axis of the reference hexahedron, as new orders of its nodes.
+std::vector<std::int32_t> turned(const std::vector<std::int32_t>& n, int about) {
+  if (about == 0) return {n[3], n[2], n[6], n[7], n[0], n[1], n[5], n[4]};
+  return {n[1], n[2], n[3], n[0], n[5], n[6], n[7], n[4]};
+}
+
+TEST(AxisAlignedBox, IsFoundInAllTwentyFourOrders) {
+  Mesh mesh = bar_mesh("hexa8", {1, 1, 1}, {3, 0.1, 2});
+  const std::vector<std::int32_t> straight = mesh.blocks[0].nodes;
+  std::set<std::vector<std::int32_t>> orders = {straight};
+  for (std::size_t before = 0; before < orders.size();) {
+    before = orders.size();
+    for (const auto& order : std::set<std::vector<std::int32_t>>(orders)) {
+      for (const int about : {0, 2}) orders.insert(turned(order, about));
+    }
+  }
+  ASSERT_EQ(orders.size(), 24U);
+  for (const std::vector<std::int32_t>& nodes : orders) {
+    mesh.blocks[0].nodes = nodes;
+    const std::vector<int> order = box_node_order(mesh, mesh.blocks[0], 0);
+    ASSERT_EQ(order.size(), 8U);
+    for (std::size_t a = 0; a < 8; ++a) {
+      EXPECT_EQ(nodes[static_cast<std::size_t>(order[a])], straight[a]);
+    }
+    // Mirrored it is inside out, which must be refused and not mended.
+    mesh.blocks[0].nodes = {nodes[4], nodes[5], nodes[6], nodes[7],
+                            nodes[0], nodes[1], nodes[2], nodes[3]};
+    EXPECT_TRUE(box_node_order(mesh, mesh.blocks[0], 0).empty());
+  }
+}
+
+TEST(AxisAlignedBox, TurnedNodesGiveTheSameForces) {
+  auto table = ReferenceKernels<Hexa8, 8, false>::table();
+  std::array<VariantTable<double>, 2> variants = {table.variants[0], table.variants[0]};
+  variants[1].geometry = "box";
+  table.variants = variants.data();
+  table.num_variants = 2;
+  Mesh mesh = bar_mesh("hexa8", {2, 2, 2}, {1, 1, 1});
+  const Vector u = random_vector(3 * mesh.num_nodes(), 0.05, 3);
+  Model straight(mesh, one_part(mesh, table));
+  Vector expected = Vector::Zero(u.size()), found = expected;
+  straight.forces(u, expected);
+  auto& all = mesh.blocks[0].nodes;
+  for (std::size_t e = 0; e < 8; ++e) {
+    std::vector<std::int32_t> nodes(&all[8 * e], &all[8 * e] + 8);
+    for (std::size_t k = 0; k < e; ++k) nodes = turned(nodes, k % 2 == 0 ? 0 : 2);
+    std::copy(nodes.begin(), nodes.end(), &all[8 * e]);
+  }
+  Model model(mesh, one_part(mesh, table));
+  ASSERT_EQ(model.groups().size(), 1U);
+  EXPECT_EQ(model.groups()[0].geometry, "box");
+  model.forces(u, found);
+  EXPECT_LT((found - expected).norm(), 1e-14 * expected.norm());
 }
 
 }  // namespace

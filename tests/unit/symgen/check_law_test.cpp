@@ -95,6 +95,19 @@ TEST(PositiveDefinite, FailsAtABoundThatBelongsToTheRange) {
   EXPECT_NE(property(check, "positive definite at rest").detail.find("mu = 0"), std::string::npos);
 }
 
+TEST(PositiveDefinite, IsMeasuredWhereRootsOfParametersStandInTheWay) {
+  const LawCheck check = check_text(law_text("mu*sqrt(1 + lambda)*trE2 + lambda^(1/2)*trE^2"));
+  EXPECT_EQ(failures(check), Names{});
+  EXPECT_EQ(property(check, "positive definite at rest").evidence, Evidence::measured);
+}
+
+TEST(PositiveDefinite, FailsWhereTheTangentIsNotFiniteAtRest) {
+  const LawCheck check = check_text(law_text("mu*trE2 + lambda*trE2^(3/2)"));
+  EXPECT_EQ(failures(check), Names{"positive definite at rest"});
+  EXPECT_NE(property(check, "positive definite at rest").detail.find("not finite at rest"),
+            std::string::npos);
+}
+
 TEST(EveryTerm, IsJudgedByItself) {
   const std::string second = "[[term]]\nname = \"log\"\nenergy = \"lambda*trE^2 - mu*log(J)\"\n";
   const LawCheck check = check_text(law_text("mu/2*(I1 - 3)") + second);

@@ -73,7 +73,7 @@ energy = "mu*trE2"
     return law_from_text("own", other).text;
   };
   EXPECT_EQ(changed("name = \"own\"", "# comment\nname = \"own\"\ntitle = \"T\""), text);
-  EXPECT_EQ(changed("unit = \"Pa\"", "unit = \"N/m^2\"\ndescription = \"d\"\nminimum = 0"), text);
+  EXPECT_EQ(changed("unit = \"Pa\"", "unit = \"1\"\ndescription = \"d\"\nminimum = 0"), text);
   EXPECT_EQ(changed("mu*trE2", "mu * trE2"), text);
   EXPECT_NE(changed("mu*trE2", "2*mu*trE2"), text);
   EXPECT_NE(changed("shear", "other"), text);

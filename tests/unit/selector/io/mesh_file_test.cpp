@@ -327,6 +327,14 @@ TEST_F(MeshFiles, RefuseADegenerateElement) {
   expect_error(mesh, {"mesh.msh: element 5 (tet4, nodes 1 2 3 4)", "degenerate"});
 }
 
+TEST_F(MeshFiles, RefuseAnElementWithANodeTwice) {
+  WrittenMesh mesh = house();
+  for (auto& elements : mesh.elements) {
+    if (elements.nodes[0].size() == 8) elements.nodes[0][7] = elements.nodes[0][6];
+  }
+  expect_error(mesh, {"mesh.msh: element ", "(hexa8) has the node ", " twice", "degenerate"});
+}
+
 TEST_F(MeshFiles, RefuseTheSameElementTwice) {
   WrittenMesh mesh = house();
   mesh.elements.push_back({4, {{4, 11, 5, 10}}, "house"});

@@ -200,6 +200,18 @@ TEST(PlaneScene, RefusesVectorsOfSpace) {
   expect_contains(message("{ x = 0.0 }", "{ z = 0.0 }"), "unknown key");
 }
 
+TEST(PlaneScene, TakesPressureOnItsEdges) {
+  const Problem problem =
+      prepare_text(replaced(plane_scene, "[[constraint]]",
+                            "[[load]]\nplane = { y = 1 }\npressure = 100\n[[load]]\nplane = { x = "
+                            "2 }\ntraction = [30, 0]\n[[constraint]]"));
+  ASSERT_EQ(problem.surface_loads.size(), 2U);
+  EXPECT_EQ(problem.surface_loads[0].faces.size(), 4U);
+  EXPECT_NEAR(problem.surface_loads[0].area, 2, 1e-14);  // 1 m thick
+  EXPECT_NEAR(problem.surface_loads[0].resultant[1], -200, 1e-12);
+  EXPECT_NEAR(problem.surface_loads[1].resultant[0], 30, 1e-13);
+}
+
 TEST(PlaneScene, RefusesElementsOfSpace) {
   const std::string message = error_of(replaced(plane_scene, "stvk-tri3-q1", "stvk-tet4-q1"));
   expect_contains(message, "element 'tet4' is three-dimensional, but the scene is plane");

@@ -92,8 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "[[constraint]]\nplane = { y = 0 }\nrotation = { point = [0, 0, 0], axis = "
                     "[1, 0, 0], turns = 1 }",
                     {"scene.toml:19: constraint: node 0 is selected here and by the constraint of ",
-                     "scene.toml:3, and one of the two moves",
-                     "select it once"}},
+                     "scene.toml:3, and one of the two moves", "select it once"}},
         StepMistake{"NoMass",
                     IMPLICIT "[material.other]\nregions = [\"other\"]\ndensity = 0",
                     {"material.other.density = 0: must be greater than 0"}},
@@ -117,6 +116,11 @@ INSTANTIATE_TEST_SUITE_P(
                     "[reference]\nfile = \"other.vtu\"",
                     {"reference.file: ", "other.vtu: is no VTU file"}}),
     [](const testing::TestParamInfo<StepMistake>& mistake) { return mistake.param.name; });
+
+TEST(SceneErrors, MaterialOfARegionWhoseNameNeedsQuotes) {
+  expect_contains(error_of(replaced(good_scene, "region = \"body\"", "region = \"left part\"")),
+                  "add [material.\"left part\"]");
+}
 
 TEST(SceneErrors, MeasureNamesWhatCanBeMeasured) {
   expect_contains(error_of("measure = [\"mass\"]\n" + good_scene),
