@@ -102,8 +102,9 @@ static void report_status(const real margin, const int count, const real *local_
 // The margin of a law's domain becomes the smaller of the two.
 static void keep_smaller(real *margin, const real x) { *margin = x < *margin ? x : *margin; }
 
-// x - log(1 + x) to a few units in the last place at every x > -1; the series is explained in
-// runtime/kernel_support.h.
+// x - log(1 + x) to a few units in the last place at every x > -1. Near 0 by the series of
+// log(1 + x) = 2 artanh(z), z = x / (2 + x): x z - 2 z^3 (1/3 + z^2/5 + ...), Abramowitz & Stegun
+// 4.6.33.
 static real log1p_remainder(const real x) {
   if (!(fabs(x) < R(0.35))) return x - log1p(x);
   const real z = x / (2 + x);
@@ -112,6 +113,17 @@ static real log1p_remainder(const real x) {
   for (int k = 23; k >= 3; k -= 2) series = series * z2 + R(1.0) / k;
   return x * z - 2 * z * z2 * series;
 }
+
+// exp(y) - 1 - y to a few units in the last place; near 0 by its Taylor series.
+static real expm1_remainder(const real y) {
+  if (!(fabs(y) < R(0.5))) return expm1(y) - y;
+  real series = R(1.0) / 16;
+  for (int k = 15; k >= 3; --k) series = (1 + y * series) / k;
+  return y * y * (1 + y * series) / 2;
+}
+
+// max(0, -x), exactly; not a number stays what it is.
+static real negative_part(const real x) { return x >= 0 ? 0 : -x; }
 
 // x^(1/q), q >= 2; for x > 0.
 static real root(const real x, const int q) {

@@ -1,5 +1,5 @@
-// What generated kernels are written with: SIMD packs, functions, and the step from the ABI's
-// plain arrays to packs. Included by generated code only.
+// What generated kernels are written with beside kernel_functions.h: roots, and the step from the
+// ABI's plain arrays to packs. Included by generated code only.
 #pragma once
 
 #include <cmath>
@@ -7,30 +7,9 @@
 #include <type_traits>
 
 #include "runtime/kernel_abi.h"
+#include "runtime/kernel_functions.h"
 
 namespace elastogen::kernel {
-
-/// Scalar type of a scalar or of a pack.
-template <class V>
-struct scalar_of {
-  using type = V;
-};
-
-/// A pack: one 64-byte vector of batch_lanes<Scalar> elements (GNU vector extension; compilers
-/// split it where the machine's vectors are shorter).
-using DoublePack __attribute__((vector_size(64))) = double;
-using FloatPack __attribute__((vector_size(64))) = float;
-
-template <>
-struct scalar_of<DoublePack> {
-  using type = double;
-};
-template <>
-struct scalar_of<FloatPack> {
-  using type = float;
-};
-template <class V>
-using Scalar = typename scalar_of<V>::type;
 
 template <class V>
 inline constexpr int lanes_of = static_cast<int>(sizeof(V) / sizeof(Scalar<V>));
@@ -56,38 +35,6 @@ inline V map(const V& x, const F& f) {
     for (int l = 0; l < lanes_of<V>; ++l) result[l] = f(x[l]);
     return result;
   }
-}
-
-/// x - log(1 + x) to a few units in the last place at every x > -1. Near zero by the series of
-/// log(1 + x) = 2 artanh(z), z = x / (2 + x): with x = 2 z / (1 - z),
-///   x - log(1 + x) = x z - 2 z^3 (1/3 + z^2/5 + z^4/7 + ...).
-/// Source: series of artanh, Abramowitz & Stegun 4.6.33.
-template <class S>
-inline S scalar_log1p_remainder(S x) {
-  if (!(std::abs(x) < S(0.35))) return x - std::log1p(x);
-  const S z = x / (S(2) + x);
-  const S z2 = z * z;
-  // |z| < 0.213: 12 terms leave z^24 / 27 < 3e-18 of the leading 1/3.
-  S series = S(1) / S(25);
-  for (int k = 23; k >= 3; k -= 2) series = series * z2 + S(1) / S(k);
-  return x * z - S(2) * z * z2 * series;
-}
-
-template <class V>
-inline V log(const V& x) {
-  return map(x, [](Scalar<V> a) { return std::log(a); });
-}
-template <class V>
-inline V log1p(const V& x) {
-  return map(x, [](Scalar<V> a) { return std::log1p(a); });
-}
-template <class V>
-inline V log1p_remainder(const V& x) {
-  return map(x, [](Scalar<V> a) { return scalar_log1p_remainder(a); });
-}
-template <class V>
-inline V exp(const V& x) {
-  return map(x, [](Scalar<V> a) { return std::exp(a); });
 }
 
 /// x^(1/q), q >= 2; for x > 0.

@@ -9,6 +9,7 @@
 #include <new>
 
 #include "runtime/error.h"
+#include "selector/commands/certify.h"
 #include "selector/commands/check_law.h"
 #include "selector/commands/command.h"
 #include "selector/commands/evaluate.h"
@@ -34,6 +35,7 @@ Examples:
   elastogen explain stvk-hexa8-q8-auto                        what one costs, and why
   elastogen generate 'stvk-*-q8-none' --out kernels           C++ sources for your own program
   elastogen check-law my_law.toml                             what a law has, proved or measured
+  elastogen certify 'stvk-*-none'                             how wrong kernels can be
   elastogen evaluate hooke-tet4-q1-none --input case.json     one element, by numbers
 
 Exit status: 0, 1 the work failed (no convergence, no compiler, disk full), 2 the call was wrong.
@@ -87,6 +89,7 @@ void declare(CLI::App& app, Context& context) {
   elastogen::selector::add_generate_command(app, context);
   elastogen::selector::add_check_law_command(app, context);
   elastogen::selector::add_evaluate_command(app, context);
+  elastogen::selector::add_certify_command(app, context);
   elastogen::selector::add_run_command(app, context);
   for (CLI::App* command : commands(app)) {
     command->footer(command->get_footer() +

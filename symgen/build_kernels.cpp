@@ -54,10 +54,12 @@ struct PartGraph {
   std::vector<NodeId> forces, product, margins;
 };
 
-NodeId sum_of(ElementGraph& element, const EnergyPart& part) {
+/// @param energies  [law term][Gauss point]
+NodeId sum_of(ElementGraph& element, const std::vector<std::vector<NodeId>>& energies,
+              const EnergyPart& part) {
   std::vector<Operand> summands;
   for (const auto& [term, point] : part.summands) {
-    summands.push_back({element.energies[term][point], NumberPool::one});
+    summands.push_back({energies[term][point], NumberPool::one});
   }
   return element.dag.sum(std::move(summands));
 }
@@ -92,14 +94,14 @@ NodalDerivatives derived_by_ginac(ElementGraph& element, const EnergyPart& part)
 }
 
 PartGraph differentiated(ElementGraph& element, const EnergyPart& part) {
-  const NodeId energy = sum_of(element, part);
+  const NodeId energy = sum_of(element, element.energies, part);
   const auto [forces, product] = element.derivatives.empty() ? derived_on_graph(element, energy)
                                                              : derived_by_ginac(element, part);
   PartGraph result{Dag(element.dag.number_pool()), 0, {}, {}, {}};
   const auto copied = [&](const std::vector<NodeId>& roots) {
     return copy_into(result.dag, element.dag, roots);
   };
-  result.energy = copied({energy})[0];
+  result.energy = copied({sum_of(element, element.energy_values, part)})[0];
   result.forces = copied(forces);
   result.product = copied(product);
   result.margins = copied(domain_of(element.dag, energy));
@@ -384,7 +386,7 @@ VariantKernels whole_kernels(Dag dag, NodeId energy, const std::vector<NodeId>& 
 VariantKernels unoptimised_kernels(ElementGraph graph) {
   const auto parts = energy_parts(Split{}, static_cast<int>(graph.energies.size()),
                                   static_cast<int>(graph.determinants.size()));
-  const NodeId energy = sum_of(graph, parts[0]);
+  const NodeId energy = sum_of(graph, graph.energies, parts[0]);
   const std::vector<NodeId> forces = forces_of(graph, energy);
   const std::vector<NodeId> product = product_of(graph, forces);
   return whole_kernels(std::move(graph.dag), energy, forces, product);

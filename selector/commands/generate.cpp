@@ -82,7 +82,7 @@ void add_generate_command(CLI::App& app, Context& context) {
       "Writes for each association and target, and lists in manifest.json:\n"
       "  cpu     kernel templates, and tables for packs of doubles and floats; they need the "
       "headers\n"
-      "          runtime/kernel_abi.h and runtime/kernel_support.h; profile x86-cache\n"
+      "          runtime/kernel_*.h; profile x86-cache\n"
       "  opencl  a program ID.cl for float, or double with -D ELASTOGEN_DOUBLE; it includes\n"
       "          opencl/prelude.cl; profile gpu\n"
       "--profile names another profile, for every target.\n"

@@ -213,7 +213,8 @@ NodeId Dag::function(Function function, NodeId argument) {
   if (inner.kind == Kind::number) {
     const bool zero = inner.value == NumberPool::zero;
     const bool vanishes_at_zero =
-        function == Function::log1p || function == Function::log1p_remainder;
+        function == Function::log1p || function == Function::log1p_remainder ||
+        function == Function::expm1_remainder || function == Function::negative_part;
     if (zero && vanishes_at_zero) return number(NumberPool::zero);
     if (zero && function == Function::exp) return number(NumberPool::one);
     if (inner.value == NumberPool::one && function == Function::log) {

@@ -29,7 +29,15 @@ enum class Stage : std::uint8_t { literal, material, rest, state, direction };
 
 enum class Kind : std::uint8_t { number, symbol, sum, product, function };
 
-enum class Function : std::uint8_t { none, log, log1p, log1p_remainder, exp };
+enum class Function : std::uint8_t {
+  none,
+  log,
+  log1p,
+  log1p_remainder,
+  exp,
+  expm1_remainder,
+  negative_part
+};
 
 using NodeId = std::uint32_t;
 

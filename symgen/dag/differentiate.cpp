@@ -24,6 +24,9 @@ NodeId partial_derivative(Dag& dag, const Node& node, std::size_t k) {
       return dag.multiply(x, dag.inverse(dag.sum({{x, NumberPool::one}}, NumberPool::one)));
     case Function::exp:
       return dag.function(Function::exp, x);
+    case Function::expm1_remainder:  // exp(y) - 1, by what the energy has computed already
+      return dag.add(x, dag.function(Function::expm1_remainder, x));
+    case Function::negative_part:  // of energies that nobody differentiates
     case Function::none:
       break;
   }

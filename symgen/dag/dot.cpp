@@ -42,6 +42,10 @@ std::string label_of(const Dag& dag, NodeId id) {
       return "log";
     case Function::log1p:
       return "log1p";
+    case Function::expm1_remainder:
+      return "exp(y) - 1 - y";
+    case Function::negative_part:
+      return "max(0, -x)";
     case Function::log1p_remainder:
       return "x - log1p";
     case Function::exp:

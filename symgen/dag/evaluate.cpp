@@ -4,6 +4,16 @@
 
 namespace elastogen::symgen {
 
+cln::cl_RA exact_value(double value) {
+  if (!std::isfinite(value)) {
+    throw InputError("exact evaluation takes finite numbers only, found " + std::to_string(value));
+  }
+  int exponent = 0;
+  const double fraction = std::frexp(value, &exponent);
+  const cln::cl_I mantissa(static_cast<long>(std::ldexp(fraction, 53)));
+  return mantissa * cln::expt(cln::cl_RA(2), exponent - 53);
+}
+
 double DoubleArithmetic::power(double base, const cln::cl_RA& exponent) const {
   return std::pow(base, cln::double_approx(exponent));
 }
@@ -15,9 +25,13 @@ double DoubleArithmetic::apply(Function function, double x) const {
     case Function::log1p:
       return std::log1p(x);
     case Function::log1p_remainder:
-      return kernel::scalar_log1p_remainder(x);
+      return kernel::log1p_remainder(x);
     case Function::exp:
       return std::exp(x);
+    case Function::expm1_remainder:
+      return kernel::expm1_remainder(x);
+    case Function::negative_part:
+      return kernel::negative_part(x);
     case Function::none:
       break;
   }
@@ -30,10 +44,7 @@ cln::cl_R ClnArithmetic::from_exact(const ExactNumber& value) const {
 }
 
 cln::cl_R ClnArithmetic::from_double(double value) const {
-  if (!std::isfinite(value)) {
-    throw InputError("exact evaluation takes finite numbers only, found " + std::to_string(value));
-  }
-  return cln::cl_float(cln::cl_DF(value), format_);
+  return cln::cl_float(exact_value(value), format_);
 }
 
 cln::cl_R ClnArithmetic::power(const Number& base, const cln::cl_RA& exponent) const {
@@ -50,7 +61,7 @@ cln::cl_R ClnArithmetic::power(const Number& base, const cln::cl_RA& exponent) c
 }
 
 cln::cl_R ClnArithmetic::apply(Function function, const Number& x) const {
-  // log1p and its remainder cancel near zero: more digits there. CLN rounds mixed operations to the
+  // Remainders and log1p cancel near zero: more digits there. CLN rounds mixed operations to the
   // shorter operand, so both must be wide.
   const cln::float_format_t wide = cln::float_format(3 * digits_);
   const auto logarithm = [&](const Number& argument) -> cln::cl_R {
@@ -68,6 +79,12 @@ cln::cl_R ClnArithmetic::apply(Function function, const Number& x) const {
       return cln::cl_float(cln::cl_float(x, wide) - logarithm(1 + cln::cl_float(x, wide)), format_);
     case Function::exp:
       return cln::exp(cln::cl_float(x, format_));
+    case Function::expm1_remainder: {
+      const cln::cl_F wide_x = cln::cl_float(x, wide);
+      return cln::cl_float(cln::exp(wide_x) - 1 - wide_x, format_);
+    }
+    case Function::negative_part:
+      return cln::minusp(x) ? -x : cln::cl_R(0);
     case Function::none:
       break;
   }

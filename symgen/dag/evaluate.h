@@ -19,6 +19,10 @@ class OutsideDomain : public std::domain_error {
   using std::domain_error::domain_error;
 };
 
+/// A finite double, exactly; CLN's own conversion refuses denormal numbers.
+/// @throws InputError  for one that is not finite
+[[nodiscard]] cln::cl_RA exact_value(double value);
+
 /// Arithmetic of the walk for double; the pattern for other number types.
 struct DoubleArithmetic {
   using Number = double;

@@ -88,6 +88,8 @@ Function function_named(const std::string& name) {
   if (name == "log1p") return Function::log1p;
   if (name == "log1p_remainder") return Function::log1p_remainder;
   if (name == "exp") return Function::exp;
+  if (name == "expm1_remainder") return Function::expm1_remainder;
+  if (name == "negative_part") return Function::negative_part;
   throw InternalError("function '" + name + "' has no counterpart in the expression graph");
 }
 

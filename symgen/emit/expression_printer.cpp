@@ -85,6 +85,10 @@ std::string ExpressionPrinter::name_of(Function function) {
       return "log1p_remainder";
     case Function::exp:
       return "exp";
+    case Function::expm1_remainder:
+      return "expm1_remainder";
+    case Function::negative_part:
+      return "negative_part";
     case Function::none:
       break;
   }

@@ -369,7 +369,7 @@ class Check {
       }
       if (!entry.stabilised) {
         result_.notes.push_back(fmt::format(
-            "term '{}' is no polynomial in the invariants and log(J): it is not rewritten for "
+            "term '{}' has a form that is not recognised (docs/laws.md): it is not rewritten for "
             "small strain, and its stress keeps {} of 16 digits at a strain of 1e-6, {} at 1e-10",
             entry.term, entry.digits[2], entry.digits[4]));
       }

@@ -99,6 +99,7 @@ class Builder {
 
   void add_energies(const Law& law, const EnergyDensity& energy, Derivation derivation) {
     graph_.energies.resize(energy.terms.size());
+    graph_.energy_values.resize(energy.terms.size());
     std::optional<GinacDerivatives> by_ginac;
     if (derivation == Derivation::ginac) {
       by_ginac.emplace(law, energy, element_.num_nodes(), differences_, graph_.dag.number_pool());
@@ -128,6 +129,8 @@ class Builder {
       for (std::size_t l = 0; l < energy.terms.size(); ++l) {
         graph_.energies[l].push_back(
             weighted(lower(graph_.dag, energy.terms[l], symbols), determinant, weight));
+        graph_.energy_values[l].push_back(
+            weighted(lower(graph_.dag, energy.values[l], symbols), determinant, weight));
       }
       if (!by_ginac) continue;
       const PointValues values{graph_.parameters, graph_.displacement,
@@ -354,7 +357,8 @@ std::vector<NodeId> domain_of(Dag& dag, NodeId energy) {
     const Node node = dag[static_cast<NodeId>(i)];  // a copy: the graph grows below
     if (node.kind == Kind::function && node.function == Function::log) {
       add(node.operands[0].node);
-    } else if (node.kind == Kind::function && node.function != Function::exp) {  // log(1 + x)
+    } else if (node.kind == Kind::function &&
+               (node.function == Function::log1p || node.function == Function::log1p_remainder)) {
       add(dag.sum({node.operands[0]}, NumberPool::one));
     } else if (node.kind == Kind::product) {
       for (const Operand& operand : node.operands) {

@@ -30,6 +30,8 @@ struct ElementGraph {
   std::vector<NodeId> direction;     ///< V, stage direction
   /// energies[l][g]: law term l at quadrature point g, weight and det J included [J].
   std::vector<std::vector<NodeId>> energies;
+  /// The same values as they are computed where no derivative is taken (EnergyDensity::values).
+  std::vector<std::vector<NodeId>> energy_values;
   /// derivatives[l][g] of those energies as GiNaC took them; empty: the graph takes them.
   std::vector<std::vector<NodalDerivatives>> derivatives;
   std::vector<NodeId> nodal_volumes;  ///< integral of shape function a over the rest shape [m^d]

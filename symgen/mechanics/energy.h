@@ -17,24 +17,22 @@ struct EnergyDensity {
   std::vector<GiNaC::symbol> gradient;  ///< H[i * dim + j] = dU_i/dX_j; dimensionless
   std::vector<Definition> definitions;  ///< in order of use; only those that some term needs
   std::vector<GiNaC::ex> terms;         ///< [law term], over parameters and definitions
+  /// The same values for the energy itself, in a form whose derivatives are not to be taken but
+  /// that keeps its digits after finite rotations, too.
+  std::vector<GiNaC::ex> values;
   /// [law term] true: no first-order parts are left that would cancel near rest, so energy, forces
   /// and product keep their digits at any strain.
   std::vector<bool> stabilised;
 };
 
 struct EnergyOptions {
-  /// Write the energy in variables of known order (t = tr H, q = |H|^2, k = det(I + H) - 1 - t)
-  /// with remainder functions, first-order parts cancelled symbolically: exact to rounding at any
-  /// strain without finite rotation (with one, the energy's parts have the rotation's size). Done
-  /// for terms that are polynomials in the invariants and log(J); in others log(J) becomes log1p(J
-  /// - 1) with J - 1 formed from H, and nothing else is rewritten. Off: the textbook form, for
+  /// Rewrite each term so that nothing cancels near rest (stabilise.h). Off: the textbook form, for
   /// comparison.
   bool stabilise = true;
 };
 
 /// Builds W(H) from the law's terms; dim is 3, or 2 for plane strain. Functions that may appear in
-/// the result beside GiNaC's own: log1p(x) and log1p_remainder(x) = x - log(1 + x), both registered
-/// in mechanics/functions.h.
+/// the result beside GiNaC's own are those of mechanics/functions.h.
 [[nodiscard]] EnergyDensity energy_density(const Law& law, int dim, const EnergyOptions& options);
 
 /// Substitutes all definitions: term `l` as one GiNaC expression in `gradient` and the law's

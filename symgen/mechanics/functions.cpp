@@ -13,16 +13,20 @@ bool is_inexact(const GiNaC::ex& x) {
   return GiNaC::is_a<GiNaC::numeric>(x) && !GiNaC::ex_to<GiNaC::numeric>(x).is_crational();
 }
 
-/// log(1 + x) for real x > -1, with so many digits that x - log(1 + x), which is about x^2/2,
-/// still has all those of GiNaC::Digits: 1 + x is formed exactly, and the format is widened by
-/// twice the binary exponent of x.
-cln::cl_F wide_log1p(const cln::cl_R& x) {
-  const cln::cl_RA exact = cln::rational(x);
-  const cln::cl_F rounded = cln::cl_float(exact, cln::float_format(17));
+/// Decimal digits with which what is of second order in x, as a difference of what is of order
+/// zero, still has all those of GiNaC::Digits: widened by twice the binary exponent of x.
+std::size_t digits_for_second_order(const cln::cl_RA& x) {
+  const cln::cl_F rounded = cln::cl_float(x, cln::float_format(17));
   const long small = std::max<long>(0, -static_cast<long>(cln::float_exponent(rounded)));
   // 10 guard digits; 2 * small bits are at most 0.61 * small decimal digits.
-  const long digits = static_cast<long>(GiNaC::Digits) + 10 + (61 * small) / 100 + 1;
-  return cln::ln(cln::cl_float(exact + 1, cln::float_format(static_cast<std::size_t>(digits))));
+  return static_cast<std::size_t>(static_cast<long>(GiNaC::Digits) + 10 + (61 * small) / 100 + 1);
+}
+
+/// log(1 + x) for real x > -1, with so many digits that x - log(1 + x), which is about x^2/2,
+/// still has all those of GiNaC::Digits: 1 + x is formed exactly.
+cln::cl_F wide_log1p(const cln::cl_R& x) {
+  const cln::cl_RA exact = cln::rational(x);
+  return cln::ln(cln::cl_float(exact + 1, cln::float_format(digits_for_second_order(exact))));
 }
 
 GiNaC::ex to_working_precision(const cln::cl_F& value) {
@@ -76,8 +80,42 @@ GiNaC::ex log1p_remainder_derivative(const GiNaC::ex& x, unsigned /*argument*/) 
   return x / (1 + x);
 }
 
+GiNaC::ex expm1_remainder_evalf(const GiNaC::ex& y) {
+  if (y.is_zero()) return 0;
+  if (!GiNaC::is_a<GiNaC::numeric>(y)) return expm1_remainder(y).hold();
+  if (!GiNaC::ex_to<GiNaC::numeric>(y).is_real()) return (GiNaC::exp(y) - 1 - y).evalf();
+  // As many more digits as the difference loses, twice those of y.
+  const cln::cl_RA exact = cln::rational(real_value(y));
+  const cln::cl_F wide = cln::cl_float(exact, cln::float_format(digits_for_second_order(exact)));
+  return to_working_precision(cln::exp(wide) - 1 - wide);
+}
+
+GiNaC::ex expm1_remainder_eval(const GiNaC::ex& y) {
+  if (y.is_zero()) return 0;
+  if (is_inexact(y)) return expm1_remainder_evalf(y);
+  return expm1_remainder(y).hold();
+}
+
+GiNaC::ex expm1_remainder_derivative(const GiNaC::ex& y, unsigned /*argument*/) {
+  return y + expm1_remainder(y);
+}
+
+GiNaC::ex negative_part_evalf(const GiNaC::ex& x) {
+  if (!GiNaC::is_a<GiNaC::numeric>(x)) return negative_part(x).hold();
+  return GiNaC::ex_to<GiNaC::numeric>(x).is_negative() ? -x : GiNaC::ex(0);
+}
+
+GiNaC::ex negative_part_eval(const GiNaC::ex& x) {
+  return GiNaC::is_a<GiNaC::numeric>(x) ? negative_part_evalf(x) : negative_part(x).hold();
+}
+
 }  // namespace
 
+REGISTER_FUNCTION(negative_part, eval_func(negative_part_eval).evalf_func(negative_part_evalf))
+REGISTER_FUNCTION(expm1_remainder, eval_func(expm1_remainder_eval)
+                                       .evalf_func(expm1_remainder_evalf)
+                                       .derivative_func(expm1_remainder_derivative)
+                                       .latex_name("\\operatorname{expm1r}"))
 REGISTER_FUNCTION(log1p, eval_func(log1p_eval)
                              .evalf_func(log1p_evalf)
                              .derivative_func(log1p_derivative)

@@ -13,4 +13,11 @@ DECLARE_FUNCTION_1P(log1p)
 /// x/(1 + x). Zero at 0; evalf is accurate relative to the value itself, not to x.
 DECLARE_FUNCTION_1P(log1p_remainder)
 
+/// expm1_remainder(y) = exp(y) - 1 - y = y^2/2 + y^3/6 + ..., of second order; derivative
+/// exp(y) - 1, written y + expm1_remainder(y). Zero at 0; evalf as of log1p_remainder.
+DECLARE_FUNCTION_1P(expm1_remainder)
+
+/// negative_part(x) = max(0, -x); of values whose derivatives nobody takes.
+DECLARE_FUNCTION_1P(negative_part)
+
 }  // namespace elastogen::symgen

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <random>
 
 #include "symgen/element/element.h"
@@ -13,6 +14,20 @@ namespace elastogen::test {
 using symgen::AssociationId;
 using symgen::ElementCase;
 using symgen::Law;
+
+std::vector<double> sample_parameters(const Law& law) {
+  // Of laws of rubber, whose parameters do not follow from E and nu.
+  static const std::map<std::string, double> values = {
+      {"c1", 130}, {"c2", 60}, {"c3", 20}, {"kappa", 800}};
+  const bool by_name = std::all_of(law.parameters.begin(), law.parameters.end(),
+                                   [&](const auto& p) { return values.contains(p.name); });
+  if (!by_name) return symgen::parameters_from_young_poisson(law, 1000.0, 0.3);
+  std::vector<double> parameters;
+  for (const symgen::Parameter& parameter : law.parameters) {
+    parameters.push_back(values.at(parameter.name));
+  }
+  return parameters;
+}
 
 ElementCase sample_case(const AssociationId& id, const Law& law, const SampleOptions& options) {
   std::mt19937 generator(options.seed);
@@ -34,7 +49,7 @@ ElementCase sample_case(const AssociationId& id, const Law& law, const SampleOpt
   for (std::size_t k = 0; k < sample.rest_positions.size(); ++k) {
     sample.direction.push_back(uniform(generator));
   }
-  sample.parameters = symgen::parameters_from_young_poisson(law, 1000.0, 0.3);
+  sample.parameters = sample_parameters(law);
   return sample;
 }
 

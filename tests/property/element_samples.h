@@ -17,7 +17,10 @@ struct SampleOptions {
   std::uint32_t seed = 1;
 };
 
-/// Rest positions, displacement, direction, and parameters of E = 1000 Pa, nu = 0.3.
+/// Parameters of E = 1000 Pa, nu = 0.3, or of a rubber of that kind.
+[[nodiscard]] std::vector<double> sample_parameters(const symgen::Law& law);
+
+/// Rest positions, displacement, direction, and sample parameters.
 [[nodiscard]] symgen::ElementCase sample_case(const symgen::AssociationId& id,
                                               const symgen::Law& law, const SampleOptions& options);
 

@@ -109,12 +109,26 @@ const std::vector<Form> recognised_forms = {
     {"SimoMiehe", "mu*(I1 - 3 - 2*log(J)) + lambda/4*(J^2 - 1 - 2*log(J))", true},
     {"MooneyRivlin", "mu*(I1 - 3) + lambda*(I2 - 3) - (2*mu + 4*lambda)*log(J)", true},
     {"Yeoh", "mu*(I1 - 3 - 2*log(J)) + lambda*(I1 - 3)^3", true},
-    {"SecondOrderByI2", "lambda*(J - 1)^2 + mu*((I1 - 3)^2 - 2*(I2 - 3) + 4*(I1 - 3))", true}};
+    {"SecondOrderByI2", "lambda*(J - 1)^2 + mu*((I1 - 3)^2 - 2*(I2 - 3) + 4*(I1 - 3))", true},
+    {"Isochoric", "mu/2*(I1*J^(-2/3) - 3) + lambda/2*(J - 1)^2", true},
+    {"IsochoricByI3", "mu/2*(I1*I3^(-1/3) - 3) + lambda*(I2*I3^(-2/3) - 3)", true},
+    {"IsochoricCubed", "mu*(I1*J^(-2/3) - 3)^3 + lambda*(J - 1)^2", true},
+    {"IsochoricProduct", "mu*(I1*J^(-2/3) - 3)*(I2*J^(-4/3) - 3) + lambda*(J - 1)^2", true},
+    {"PowersOfBothSigns", "mu*(J^(3/2) + 3/2*J^(-1) - 5/2) + lambda*(J^(1/2) + 1/2/J - 3/2)", true},
+    {"Exponential", "mu*trE2 + lambda*(exp(trE^2) - 1)", true},
+    {"ExponentialOfI1", "mu*(exp(I1 - 3) - 1 - 2*log(J)) + lambda*log(J)^2", true},
+    {"Reciprocal", "mu*(I1/J^2 - 3 + 4*log(J)) + lambda*trE2", true},
+    {"Gent", "-mu*log(1 - (I1 - 3)/97) - 2/97*mu*log(J) + lambda*log(J)^2", true},
+    {"StableNeoHookean",
+     "mu/2*(I1 - 3) - mu/2*log((I1 + 1)/4) + lambda/2*((J - 1 - 3*mu/(4*lambda))^2 - "
+     "(3*mu/(4*lambda))^2)",
+     true},
+    {"Nested", "mu*(log(1 + trE2) + exp(1 - 1/J) - J) + lambda*sqrt(1 + trE^2) - lambda", true}};
 
 const std::vector<Form> other_forms = {
-    {"Isochoric", "mu/2*(I1*J^(-2/3) - 3) + lambda/2*(J - 1)^2", false},
-    {"Exponential", "mu*trE2 + lambda*(exp(trE^2) - 1)", false},
-    {"Reciprocal", "mu*(I1/J^2 - 3 + 4*log(J)) + lambda*trE2", false}};
+    {"CubeRootOfThree", "mu*(I1^(1/3)*J^(-2/9) - 3^(1/3)) + lambda*trE2", false},
+    {"HighPower", "mu*trE2 + lambda*(J^20 - 20*J + 19)", false},
+    {"ExponentialOfOne", "mu*trE2 + lambda*(exp(J) - exp(1)*J)", false}};
 
 const auto form_name = [](const auto& form) { return std::string(form.param.name); };
 

@@ -1,0 +1,260 @@
+// Elementary functions on scalars and SIMD packs, without branches and calls. Included by
+// kernel_support.h, so by generated code only.
+//
+// Errors are bounded in units in the last place of the result, measured against 60 digits over the
+// arguments named (tests/unit/runtime/kernel_functions_test.cpp). Not a number comes out where it
+// went in and outside a function's domain.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+namespace elastogen::kernel {
+
+/// A pack: one 64-byte vector of batch_lanes<Scalar> elements (GNU vector extension; compilers
+/// split it where the machine's vectors are shorter).
+using DoublePack __attribute__((vector_size(64))) = double;
+using FloatPack __attribute__((vector_size(64))) = float;
+
+/// Scalar type of a scalar or of a pack, and the integers of its size.
+template <class V>
+struct pack_traits;
+template <>
+struct pack_traits<double> {
+  using scalar = double;
+  using integer = std::int64_t;
+};
+template <>
+struct pack_traits<float> {
+  using scalar = float;
+  using integer = std::int32_t;
+};
+template <>
+struct pack_traits<DoublePack> {
+  using scalar = double;
+  using integer __attribute__((vector_size(64))) = std::int64_t;
+};
+template <>
+struct pack_traits<FloatPack> {
+  using scalar = float;
+  using integer __attribute__((vector_size(64))) = std::int32_t;
+};
+template <class V>
+using Scalar = typename pack_traits<V>::scalar;
+template <class V>
+using Integer = typename pack_traits<V>::integer;
+
+namespace functions {
+
+template <class S>
+struct Format;
+/// IEEE 754 binary64, and polynomials that are minimax to 1e-16 for it.
+template <>
+struct Format<double> {
+  static constexpr int mantissa_bits = 52;
+  static constexpr std::int64_t bias = 1023;
+  static constexpr std::int64_t bits_of_root_half = 0x3fe6a09e667f3bcd;  // sqrt(1/2)
+  static constexpr double ln2_high = 0x1.62e42feep-1;                    // 33 bits: k times it is
+  static constexpr double ln2_low = 0x1.a39ef35793c76p-33;               // exact
+  static constexpr double to_integer = 0x1.8p52;
+  static constexpr double largest_exp = 709.0, smallest_exp = -708.0;
+  // (log(1 + f) / s - 2) / s^2 over s^2, f = 2 s / (1 - s): 2/3 + 2/5 s^2 + 2/7 s^4 + ...
+  static constexpr double log_series[] = {
+      0.6666666666666669686, 0.3999999999989950449, 0.2857142862597548492, 0.2222221113479507986,
+      0.1818288912526172208, 0.1533172160055604127, 0.1461644968504340586};
+  // (exp(r) - 1 - r) / r^2: 1/2 + r/6 + r^2/24 + ...
+  static constexpr double exp_series[] = {0.5,
+                                          0.1666666666666666666,
+                                          0.04166666666666706171,
+                                          0.00833333333333335966,
+                                          0.001388888888870454897,
+                                          0.0001984126984114699187,
+                                          0.00002480158761614541272,
+                                          2.755731943362024282e-6,
+                                          2.755707663664272348e-7,
+                                          2.505194670972162113e-8,
+                                          2.096295581597607574e-9,
+                                          1.611649651437154647e-10};
+};
+/// IEEE 754 binary32.
+template <>
+struct Format<float> {
+  static constexpr int mantissa_bits = 23;
+  static constexpr std::int32_t bias = 127;
+  static constexpr std::int32_t bits_of_root_half = 0x3f3504f3;
+  static constexpr float ln2_high = 0x1.62e4p-1F;
+  static constexpr float ln2_low = 0x1.7f7d1cp-20F;
+  static constexpr float to_integer = 0x1.8p23F;
+  static constexpr float largest_exp = 88.0F, smallest_exp = -87.0F;
+  static constexpr float log_series[] = {0.66666666554497F, 0.40000121839806F, 0.28550820815961F,
+                                         0.23330467216304F};
+  static constexpr float exp_series[] = {0.5F,
+                                         0.16666667139494F,
+                                         0.041666667139179F,
+                                         0.0083331820715842F,
+                                         0.0013888737720212F,
+                                         0.00019962176226695F,
+                                         0.000024922436429342F};
+};
+
+template <class V>
+inline V to_floating(const Integer<V>& k) {
+  if constexpr (std::is_floating_point_v<V>) {
+    return static_cast<V>(k);
+  } else {
+    return __builtin_convertvector(k, V);
+  }
+}
+
+/// 2^k as a number, for normal results.
+template <class V>
+inline V power_of_two(const Integer<V>& k) {
+  using F = Format<Scalar<V>>;
+  return std::bit_cast<V>(Integer<V>((k + F::bias) << F::mantissa_bits));
+}
+
+template <class V, class S, std::size_t n>
+inline V polynomial(const V& x, const S (&coefficients)[n]) {
+  V sum = V{} + coefficients[n - 1];
+  for (std::size_t k = n - 1; k-- > 0;) sum = sum * x + coefficients[k];
+  return sum;
+}
+
+/// 1 + x = 2^k (1 + f + l) with 1 + f in [sqrt(1/2), sqrt(2)) and l what rounding f has lost:
+/// log(1 + x) = k log 2 + f - (f - log(1 + f)) + l / (1 + f).
+template <class V>
+struct LogParts {
+  V one_plus_x;
+  V k;
+  V f;          ///< x where k = 0
+  V lost;       ///< l / (1 + f); 0 where k = 0
+  V remainder;  ///< f - log(1 + f), relative to itself exact to rounding
+};
+
+/// log(1 + f) = 2 artanh(s), s = f / (2 + f); with h = f^2/2 and R = s^2 (2/3 + 2/5 s^2 + ...) it
+/// is f - (h - s (h + R)): the arrangement of P. T. P. Tang, Table-driven implementation of the
+/// logarithm function in IEEE floating-point arithmetic, ACM TOMS 16 (1990).
+template <class V>
+inline LogParts<V> log_parts(const V& x) {
+  using F = Format<Scalar<V>>;
+  LogParts<V> parts;
+  const V u = Scalar<V>(1) + x;
+  const V back = u - Scalar<V>(1);
+  const V lost = (Scalar<V>(1) - (u - back)) + (x - back);  // 1 + x - u, exactly
+  const auto bits = std::bit_cast<Integer<V>>(u);
+  const Integer<V> k = (bits - F::bits_of_root_half) >> F::mantissa_bits;
+  const V m = std::bit_cast<V>(Integer<V>(bits - (k << F::mantissa_bits)));
+  parts.one_plus_x = u;
+  parts.k = to_floating<V>(k);
+  // Where k = 0, f is x without any arithmetic: inlined, x may be a product that compilers contract
+  // into sums unrounded, once so and once so, and differences of x and f would not be 0.
+  const V whole = m - Scalar<V>(1);
+  const V rest = lost * power_of_two<V>(-k);
+  const auto is_near = k == 0;
+  parts.f = is_near ? x : V(whole + rest);
+  const V low = is_near ? V{} : V((whole - parts.f) + rest);
+  parts.lost = low * (Scalar<V>(1) - parts.f * (Scalar<V>(1) - parts.f));  // 1 / (1 + f), nearly
+  const V s = parts.f / (Scalar<V>(2) + parts.f);
+  const V z = s * s;
+  const V h = Scalar<V>(0.5) * parts.f * parts.f;
+  parts.remainder = h - s * (h + z * polynomial(z, F::log_series));
+  return parts;
+}
+
+/// `value` where `inside`, else not a number.
+template <class V, class Mask>
+inline V only_where(const Mask& inside, const V& value) {
+  return inside ? value : V{} + std::numeric_limits<Scalar<V>>::quiet_NaN();
+}
+
+}  // namespace functions
+
+/// max(0, -x), exactly; not a number stays what it is.
+template <class V>
+inline V negative_part(const V& x) {
+  return x >= Scalar<V>(0) ? V{} : V(-x);
+}
+
+/// log(1 + x) for x > -1: 1.5 ulp.
+template <class V>
+inline V log1p(const V& x) {
+  using F = functions::Format<Scalar<V>>;
+  const auto parts = functions::log_parts(x);
+  const V small = (parts.remainder - parts.lost) - parts.k * F::ln2_low;
+  const V value = parts.k * F::ln2_high - (small - parts.f);
+  return functions::only_where(parts.one_plus_x > Scalar<V>(0), value);
+}
+
+/// x - log(1 + x) for x > -1: 3 ulp; of second order near 0.
+template <class V>
+inline V log1p_remainder(const V& x) {
+  using F = functions::Format<Scalar<V>>;
+  const auto parts = functions::log_parts(x);
+  const V small = (parts.remainder - parts.lost) - parts.k * F::ln2_low;
+  const V value = parts.k == Scalar<V>(0) ? parts.remainder
+                                          : V(((x - parts.k * F::ln2_high) - parts.f) + small);
+  return functions::only_where(parts.one_plus_x > Scalar<V>(0), value);
+}
+
+/// log(x) for normal x > 0: 1.5 ulp.
+template <class V>
+inline V log(const V& x) {
+  using F = functions::Format<Scalar<V>>;
+  // 1 + (x - 1) is x but for rounding, so the parts are made from x itself.
+  const auto bits = std::bit_cast<Integer<V>>(x);
+  const Integer<V> k = (bits - F::bits_of_root_half) >> F::mantissa_bits;
+  const V m = std::bit_cast<V>(Integer<V>(bits - (k << F::mantissa_bits)));
+  const auto parts = functions::log_parts(V(m - Scalar<V>(1)));
+  const V n = functions::to_floating<V>(k);
+  const V value = n * F::ln2_high - ((parts.remainder - n * F::ln2_low) - parts.f);
+  return functions::only_where(
+      (x > Scalar<V>(0)) & (x < std::numeric_limits<Scalar<V>>::infinity()), value);
+}
+
+/// exp(y) - 1 - y: 2 ulp; of second order near 0. With y = n ln 2 + r it is
+/// (2^n - 1 - n ln 2) + (2^n - 1) r + 2^n (exp(r) - 1 - r), where n = 0 up to |y| = 1/2.
+template <class V>
+inline V expm1_remainder(const V& y) {
+  using F = functions::Format<Scalar<V>>;
+  using S = Scalar<V>;
+  constexpr S inverse_ln2 = S(1.442695040888963407);
+  // Beyond these 2^n is no normal number; there the result is infinite, or -1 - y.
+  V inside = y < F::smallest_exp ? V{} + F::smallest_exp : y;
+  inside = inside > F::largest_exp ? V{} + F::largest_exp : inside;
+  const V scaled = inside * inverse_ln2;
+  const V shifted = (((y < S(0.5)) & (y > S(-0.5))) ? V{} : scaled) + F::to_integer;
+  const V n = shifted - F::to_integer;
+  const Integer<V> k =
+      std::bit_cast<Integer<V>>(shifted) - std::bit_cast<Integer<V>>(V(V{} + F::to_integer));
+  const V r_high = inside - n * F::ln2_high;
+  const V r = r_high - n * F::ln2_low;
+  const V power = functions::power_of_two<V>(k);
+  const V less = power - S(1);
+  const V second = r * r * functions::polynomial(r, F::exp_series);
+  V value = ((less - n * F::ln2_high) + less * r) + (power * second - n * F::ln2_low);
+  value = y > F::largest_exp ? V{} + std::numeric_limits<S>::infinity() : value;
+  value = y < F::smallest_exp ? V(-S(1) - y) : value;
+  return functions::only_where(y == y, value);
+}
+
+/// exp(y): 1.5 ulp; 0 where it is no normal number.
+template <class V>
+inline V exp(const V& y) {
+  using F = functions::Format<Scalar<V>>;
+  using S = Scalar<V>;
+  constexpr S inverse_ln2 = S(1.442695040888963407);
+  const V shifted = y * inverse_ln2 + F::to_integer;
+  const V n = shifted - F::to_integer;
+  const Integer<V> k =
+      std::bit_cast<Integer<V>>(shifted) - std::bit_cast<Integer<V>>(V(V{} + F::to_integer));
+  const V r = (y - n * F::ln2_high) - n * F::ln2_low;
+  V value = functions::power_of_two<V>(k) *
+            (S(1) + (r + r * r * functions::polynomial(r, F::exp_series)));
+  value = y > F::largest_exp ? V{} + std::numeric_limits<S>::infinity() : value;
+  value = y < F::smallest_exp ? V{} : value;
+  return functions::only_where(y == y, value);
+}
+
+}  // namespace elastogen::kernel
