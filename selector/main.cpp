@@ -79,6 +79,9 @@ void declare(CLI::App& app, Context& context) {
          "forward mode), or GiNaC, from the energy in nodal displacements")
       ->check(CLI::IsMember({"dag", "ginac"}))
       ->default_str("dag");
+  app.add_flag_callback(
+      "--no-stabilise", [&context] { context.generate.stabilise = false; },
+      "Take laws as they are written: digits are lost near rest; for comparison");
   app.add_option("--threads", context.threads, "Threads; 0: all of the machine")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
+#include <string>
 
 #include "symgen/mechanics/functions.h"
+#include "symgen/mechanics/small_measures.h"
 #include "temporary_law.h"
 
 namespace elastogen::symgen {
@@ -177,6 +180,99 @@ TEST_P(EveryForm, SaysWhetherItIsStabilised) {
 }
 
 class RecognisedForm : public EveryForm {};
+
+/// Remainders written out, and exp(a log b) as b^a.
+struct WriteOut : public GiNaC::map_function {
+  ex operator()(const ex& expression) override {
+    const ex mapped = expression.map(*this);
+    if (GiNaC::is_the_function<log1p_SERIAL>(mapped)) return logarithm(1 + mapped.op(0));
+    if (GiNaC::is_the_function<log1p_remainder_SERIAL>(mapped)) {
+      return mapped.op(0) - logarithm(1 + mapped.op(0));
+    }
+    if (GiNaC::is_the_function<GiNaC::log_SERIAL>(mapped)) return logarithm(mapped.op(0));
+    if (GiNaC::is_a<GiNaC::power>(mapped)) return GiNaC::pow(mapped.op(0).expand(), mapped.op(1));
+    if (GiNaC::is_the_function<expm1_remainder_SERIAL>(mapped)) {
+      return exponential(mapped.op(0).expand()) - 1 - mapped.op(0);
+    }
+    if (GiNaC::is_the_function<GiNaC::exp_SERIAL>(mapped)) {
+      return exponential(mapped.op(0).expand());
+    }
+    return mapped;
+  }
+  static ex logarithm(const ex& argument) {
+    const ex x = argument.expand();
+    const bool is_power_of_positive =
+        GiNaC::is_a<GiNaC::power>(x) && x.op(0).info(GiNaC::info_flags::positive);
+    return is_power_of_positive ? x.op(1) * GiNaC::log(x.op(0)) : GiNaC::log(x);
+  }
+  static ex exponential(const ex& y) {
+    const std::size_t count = GiNaC::is_a<GiNaC::add>(y) ? y.nops() : 1;
+    ex product = 1, rest = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const ex summand = GiNaC::is_a<GiNaC::add>(y) ? y.op(i) : y;
+      GiNaC::exmap found;
+      if (summand.match(GiNaC::wild(0) * GiNaC::log(GiNaC::wild(1)), found) &&
+          GiNaC::is_a<numeric>(found[GiNaC::wild(0)])) {
+        product *= GiNaC::pow(found[GiNaC::wild(1)], found[GiNaC::wild(0)]);
+      } else {
+        rest += summand;
+      }
+    }
+    return product * GiNaC::exp(rest);
+  }
+};
+
+// With I1, I2 and J as symbols, J > 0, the measures q, s and k follow from t, and both forms are
+// the same expression; t cancels.
+TEST_P(RecognisedForm, EqualsTheTextbookFormSymbolically) {
+  const Law law = law_with_term(GetParam().energy);
+  const EnergyDensity energy = stabilised(law);
+  const GiNaC::symbol t("t"), i1("I1"), i2("I2");
+  const GiNaC::possymbol j("J");
+  const ex q = i1 - 3 - 2 * t, trace = t + q / 2;
+  const std::map<std::string, ex> measures = {{"t", t},         {"q", q},
+                                              {"k", j - 1 - t}, {"s", (i2 - 3 - 4 * t - 2 * q) / 4},
+                                              {"j", j - 1},     {"dI1", i1 - 3},
+                                              {"dI2", i2 - 3},  {"trE", trace},
+                                              {"tr_eps", t},    {"a", trace - j + 1}};
+  GiNaC::exmap known, invariant;
+  for (const Definition& entry : energy.definitions) {
+    const auto found = measures.find(entry.symbol.get_name());
+    if (found != measures.end()) known[entry.symbol] = found->second;
+  }
+  for (const auto& [name, value] : std::map<std::string, ex>{{"I1", i1},
+                                                             {"I2", i2},
+                                                             {"I3", GiNaC::pow(j, 2)},
+                                                             {"J", j},
+                                                             {"trE", trace},
+                                                             {"tr_eps", t}}) {
+    invariant[find_invariant(name).symbol] = value;
+  }
+  WriteOut write_out;
+  const ex plain = write_out(law.terms[0].expression.subs(invariant));
+  for (const ex& form : {energy.terms[0], energy.values[0]}) {
+    const ex difference = write_out(form.subs(known)) - plain;
+    EXPECT_TRUE(difference.expand().normal().expand().is_zero()) << difference;
+  }
+}
+
+// What `a` stands for, and that det C follows from E.
+TEST(SmallMeasures, DifferenceOfTraceAndVolumeChange) {
+  for (const int dim : {2, 3}) {
+    const SmallMeasures measures = small_measures(dim);
+    const auto value = [&](const std::string& name) {
+      for (const Definition& entry : measures.definitions) {
+        if (entry.symbol.get_name() == name) {
+          return substitute_definitions(entry.symbol, measures.definitions);
+        }
+      }
+      throw std::runtime_error("no definition " + name);
+    };
+    const ex a = value("a").subs(negative_part(GiNaC::wild()) == 0);  // J > 0
+    const ex j = value("j"), trace = value("trE");
+    EXPECT_TRUE((a * (2 + j) - (trace - j) * (2 + j)).normal().expand().is_zero()) << dim;
+  }
+}
 
 // In arithmetic of 17 digits at strains of 1e-10 the stabilised stress keeps its digits; the
 // textbook's has lost ten of them wherever first-order parts cancel.
