@@ -182,8 +182,6 @@ Matrix diagonal(int dim, double last, double others = 1) {
   return m;
 }
 
-constexpr unsigned usual_digits = 60;
-
 std::vector<CaseFamily> make_families() {
   std::vector<CaseFamily> families;
   const auto add = [&](const std::string& name, bool well_posed, const auto& make) {

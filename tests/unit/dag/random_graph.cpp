@@ -8,9 +8,14 @@ namespace elastogen::symgen {
 
 RandomGraph make_random_graph(std::uint32_t seed, int num_nodes) {
   std::mt19937 generator(seed);
-  const auto below = [&](std::size_t bound) {
-    return std::uniform_int_distribution<std::size_t>(0, bound - 1)(generator);
-  };
+  return make_graph(
+      [&](std::size_t bound) {
+        return std::uniform_int_distribution<std::size_t>(0, bound - 1)(generator);
+      },
+      num_nodes);
+}
+
+RandomGraph make_graph(const std::function<std::size_t(std::size_t)>& below, int num_nodes) {
   RandomGraph result;
   Dag& dag = result.graph.dag;
   std::vector<NodeId> nodes;
@@ -18,7 +23,7 @@ RandomGraph make_random_graph(std::uint32_t seed, int num_nodes) {
     for (int k = 0; k < 3; ++k) {
       const std::string name = "s" + std::to_string(static_cast<int>(stage)) + std::to_string(k);
       nodes.push_back(dag.symbol(name, stage));
-      result.values[nodes.back()] = std::uniform_real_distribution<double>(0.5, 1.5)(generator);
+      result.values[nodes.back()] = 0.5 + static_cast<double>(below(1024)) / 1024;
     }
   }
   const std::vector<ExactNumber> factors = {ExactNumber(1),
