@@ -130,8 +130,8 @@ std::string certificate_html(const Certificate& certificate) {
       text += fmt::format(
           "<td style=\"background:{}\" title=\"worst {:.3g}, median {:.3g}, "
           "condition {:.3g}\">{}</td>",
-          colour(error, error_bound(o)), errors.worst, errors.median, errors.condition,
-          figure(error));
+          colour(error, error_bound(o, family.well_posed)), errors.worst, errors.median,
+          errors.condition, figure(error));
     }
     text += fmt::format("<td>{:.1e}</td></tr>\n", family.errors[1].condition);
   }
@@ -152,7 +152,8 @@ constexpr const char* explanation =
     "stretches, strains to 10, det F to 0 and below; there errors are given over 1 + the condition "
     "of the case, which is what a change of every nodal difference and parameter by one unit in "
     "its "
-    "last place does to the exact result. A result that is neither within its bound nor flagged by "
+    "last place does to the exact result (the greatest of four trials), and bounded by 200. A "
+    "result that is neither within its bound nor flagged by "
     "the element's status (not finite, outside the law's domain) is a violation. Errors below 1024 "
     "of the scalar's smallest normal numbers do not count.";
 
@@ -183,6 +184,18 @@ Json certificates_json(const std::vector<Certificate>& certificates,
     list.push_back(std::move(entry));
   }
   return {{"cases_per_family", options.cases}, {"seed", options.seed}, {"certificates", list}};
+}
+
+Json figures_alone(Json certificates) {
+  for (Json& certificate : certificates["certificates"]) {
+    certificate.erase("families");
+    for (const bool well_posed : {true, false}) {
+      for (auto& [operation, figures] : certificate[group_name(well_posed)].items()) {
+        figures.erase("input");
+      }
+    }
+  }
+  return certificates;
 }
 
 std::string certificates_table(const std::vector<Certificate>& certificates) {

@@ -14,6 +14,9 @@ namespace elastogen::selector {
 [[nodiscard]] nlohmann::ordered_json certificates_json(const std::vector<Certificate>& certificates,
                                                        const CertifyOptions& options);
 
+/// The worst figures alone, without families and inputs: what a baseline needs.
+[[nodiscard]] nlohmann::ordered_json figures_alone(nlohmann::ordered_json certificates);
+
 /// A table with a line for each association and precision, for a terminal or a document.
 [[nodiscard]] std::string certificates_table(const std::vector<Certificate>& certificates);
 

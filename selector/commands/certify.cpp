@@ -86,9 +86,11 @@ int run_certify(const CertifyCommand& command, const Context& context) {
     }
   }
 
-  const std::string json = certificates_json(certificates, command.options).dump(1) + "\n";
+  const nlohmann::ordered_json all = certificates_json(certificates, command.options);
+  const std::string json = all.dump() + "\n";
   if (!command.out.empty()) {
-    write_text_file(command.out / "accuracy.json", json);
+    write_text_file(command.out / "certificates.json", json);
+    write_text_file(command.out / "accuracy.json", figures_alone(all).dump(1) + "\n");
     write_text_file(command.out / "accuracy.md",
                     certificates_markdown(certificates, command.options));
     write_text_file(command.out / "accuracy.html",
@@ -138,7 +140,10 @@ void add_certify_command(CLI::App& app, Context& context) {
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   sub->add_option("--seed", command->options.seed, "Of the random inputs")->capture_default_str();
-  sub->add_option("--out", command->out, "Folder for accuracy.json, accuracy.md, accuracy.html")
+  sub->add_option(
+         "--out", command->out,
+         "Folder for certificates.json (all figures, worst inputs), accuracy.json (worst figures), "
+         "accuracy.md and accuracy.html")
       ->type_name("DIR");
   sub->add_option("--baseline", command->baseline,
                   "accuracy.json of an earlier run that figures must not be worse than")

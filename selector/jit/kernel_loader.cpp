@@ -101,6 +101,10 @@ class Slot {
 
 /// A compilation under way: the folder that it works in, and how long it will have taken.
 struct Compilation {
+  // clang 14 does not make aggregates in place.
+  Compilation(WorkFolder where, std::future<double> time)
+      : folder(std::move(where)), seconds(std::move(time)) {}
+
   WorkFolder folder;
   std::future<double> seconds;
 };

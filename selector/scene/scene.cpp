@@ -263,7 +263,7 @@ ReferenceDescription read_reference(const TomlTable& table) {
 Scene read_scene(const std::filesystem::path& file) {
   const TomlTable table = TomlTable::open(file);
   table.allow_only({"title", "laws", "gravity", "bar", "mesh", "material", "constraint", "load",
-                    "probe", "dynamics", "solver", "measure", "output", "reference"});
+                    "probe", "dynamics", "start", "solver", "measure", "output", "reference"});
   Scene scene;
   scene.file = file;
   scene.title = table.has("title") ? table.string("title") : file.stem().string();
@@ -302,6 +302,13 @@ Scene read_scene(const std::filesystem::path& file) {
   for (const TomlTable& load : table.tables("load"))
     scene.loads.push_back(read_load(load, scene.dim));
   scene.probes = read_probes(table, scene.dim);
+  if (table.has("start")) {
+    if (scene.dynamics) table.fail("start", "is for statics: motions start at rest");
+    const std::string name = table.choice("start", start_names());
+    while (start_names()[static_cast<std::size_t>(scene.start)] != name) {
+      scene.start = static_cast<Start>(static_cast<int>(scene.start) + 1);
+    }
+  }
   if (table.has("solver")) scene.solver = read_solver(table.table("solver"), scene.dynamics);
   if (table.has("measure")) {
     scene.measure = read_measure(table, scene.bar && scene.dim == 3);

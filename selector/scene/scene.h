@@ -11,6 +11,7 @@
 #include "selector/scene/constraint_table.h"
 #include "selector/scene/dynamics_table.h"
 #include "selector/scene/mesh_file_table.h"
+#include "selector/scene/start.h"
 #include "selector/scene/toml_table.h"
 #include "symgen/pipeline.h"
 
@@ -121,6 +122,7 @@ struct Scene {
   std::vector<LoadDescription> loads;
   std::vector<ProbeDescription> probes;
   std::optional<DynamicsDescription> dynamics;  ///< none: static equilibrium
+  Start start = Start::rest;  ///< of statics
   SolverSettings solver;
   MeasureSettings measure;
   OutputSettings output;

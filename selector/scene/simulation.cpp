@@ -15,9 +15,10 @@ std::vector<std::string> operations_of(const Scene& scene, const Problem& proble
     if (scene.output.energy) operations.insert(operations.begin(), "energy");
     return operations;
   }
-  // Conjugate gradient takes the blocks of its preconditioner from the stiffness. Prescribed motion
-  // starts from the linear answer to it, which takes products of constrained degrees of freedom.
-  if (scene.solver.method == LinearSolverKind::conjugate_gradient || !problem.motion.empty()) {
+  // Conjugate gradient takes the blocks of its preconditioner from the stiffness. Where constrained
+  // nodes have to move, a solve starts from the linear answer to that, which takes products.
+  const bool has_gap = !problem.motion.empty() || scene.start != Start::rest;
+  if (scene.solver.method == LinearSolverKind::conjugate_gradient || has_gap) {
     return {"energy", "forces", "product", "stiffness"};
   }
   return {"energy", "forces", "stiffness"};

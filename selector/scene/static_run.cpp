@@ -56,7 +56,7 @@ NewtonResult run_static(const Scene& scene, const Problem& problem, Model& model
   if (start) {
     state = *start->load;
   } else {
-    state.u = Vector::Zero(load.size());
+    state.u = start_displacement(problem.mesh.mesh, scene.start);
     record(state);
   }
   NewtonOptions options = newton_options(scene.solver);

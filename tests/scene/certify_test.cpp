@@ -25,7 +25,7 @@ class Certify : public Run {
     all.insert(all.end(), arguments.begin(), arguments.end());
     const ProcessResult result = call(all);
     EXPECT_EQ(result.exit_status, 0) << result.output;
-    return nlohmann::json::parse(read_text_file(out() / "accuracy.json", "figures"));
+    return nlohmann::json::parse(read_text_file(out() / "certificates.json", "figures"));
   }
   static std::string kept_figures() { return ELASTOGEN_SOURCE_DIR "/docs/accuracy.json"; }
 };
