@@ -139,23 +139,20 @@ std::string certificate_html(const Certificate& certificate) {
 }
 
 constexpr const char* explanation =
-    "Compiled kernels on SIMD packs against the textbook form of the law in 60 decimal digits, on "
-    "the same inputs rounded to the kernel's scalar. Errors are in units of the scalar's epsilon "
-    "(2.2e-16, 1.2e-7): of the energy relative to |W|, of forces to the largest force, of the "
-    "product to max |K| max |V|, of the stiffness to max |K|. *Well-posed* are well-shaped "
-    "elements "
-    "without rotation at strains from 1e-12 to 0.5: there errors are bounded by 50 (the energy's "
+    "Compiled kernels on SIMD packs against the textbook form of the law in 60 decimal digits, "
+    "on the same inputs rounded to the kernel's scalar. Errors are in units of the scalar's "
+    "epsilon (2.2e-16, 1.2e-7): of the energy relative to |W|, of forces to the largest force, "
+    "of the product to max |K| max |V|, of the stiffness to max |K|. *Well-posed* are "
+    "well-shaped elements without rotation at strains from 1e-12 to 0.5: there errors are bounded "
     "by "
-    "200) as they are. *Conditioned* are all other inputs: rotations, translations, sizes from "
-    "1e-9 "
-    "to 1e9 m, moduli from 1e-3 to 1e12 Pa, aspect ratios to 1e4, slivers, nu to 0.5 and -1, equal "
-    "stretches, strains to 10, det F to 0 and below; there errors are given over 1 + the condition "
-    "of the case, which is what a change of every nodal difference and parameter by one unit in "
-    "its "
-    "last place does to the exact result (the greatest of four trials), and bounded by 200. A "
-    "result that is neither within its bound nor flagged by "
-    "the element's status (not finite, outside the law's domain) is a violation. Errors below 1024 "
-    "of the scalar's smallest normal numbers do not count.";
+    "50 (the energy's by 200) as they are. *Conditioned* are all other inputs: rotations, "
+    "translations, sizes from 1e-9 to 1e9 m, moduli from 1e-3 to 1e12 Pa, aspect ratios to 1e4, "
+    "slivers, nu to 0.5 and -1, equal stretches, strains to 10, det F to 0 and below; there "
+    "errors are given over 1 + the condition of the case, which is what a change of every nodal "
+    "difference and parameter by one unit in its last place does to the exact result (the "
+    "greatest of four trials), and bounded by 200. A result that is neither within its bound "
+    "nor flagged by the element's status (not finite, outside the law's domain) is a violation. "
+    "Errors below 1024 of the scalar's smallest normal numbers do not count.";
 
 }  // namespace
 
