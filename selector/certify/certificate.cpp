@@ -243,8 +243,7 @@ double Certificate::worst(std::size_t operation, bool well_posed) const {
 template <class Scalar>
 Certificate certify(const symgen::AssociationId& id, const symgen::Law& law,
                     const KernelTable<Scalar>& table, const symgen::ExactElement& exact,
-                    const CertifyOptions& options,
-                    const std::function<void(const std::string&)>& on_family) {
+                    const CertifyOptions& options) {
   const ReferenceShape shape(symgen::find_element(id.element),
                              symgen::find_quadrature(id.element, id.quadrature));
   Certificate certificate{id.text(), std::is_same_v<Scalar, float>, {}, {}};
@@ -254,7 +253,6 @@ Certificate certify(const symgen::AssociationId& id, const symgen::Law& law,
   FamilyRun<Scalar> run(table, exact, shape.dim);
   std::uint32_t number = 0;
   for (const CaseFamily& family : case_families()) {
-    if (on_family) on_family(family.name);
     // Each family has numbers of its own: more cases of one leave the others as they are.
     std::seed_seq seeds{options.seed, number++};
     std::mt19937 generator(seeds);
@@ -266,9 +264,9 @@ Certificate certify(const symgen::AssociationId& id, const symgen::Law& law,
 
 template Certificate certify(const symgen::AssociationId&, const symgen::Law&,
                              const KernelTable<float>&, const symgen::ExactElement&,
-                             const CertifyOptions&, const std::function<void(const std::string&)>&);
+                             const CertifyOptions&);
 template Certificate certify(const symgen::AssociationId&, const symgen::Law&,
                              const KernelTable<double>&, const symgen::ExactElement&,
-                             const CertifyOptions&, const std::function<void(const std::string&)>&);
+                             const CertifyOptions&);
 
 }  // namespace elastogen::selector

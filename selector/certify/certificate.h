@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -70,11 +69,9 @@ struct CertifyOptions {
 /// greatest change of the exact results, in the same units, when every nodal difference and
 /// parameter changes at random by up to one unit in its last place (four trials): what rounding of
 /// the inputs alone does.
-/// @param on_family  called before each family
 template <class Scalar>
 [[nodiscard]] Certificate certify(const symgen::AssociationId& id, const symgen::Law& law,
                                   const KernelTable<Scalar>& table,
-                                  const symgen::ExactElement& exact, const CertifyOptions& options,
-                                  const std::function<void(const std::string&)>& on_family);
+                                  const symgen::ExactElement& exact, const CertifyOptions& options);
 
 }  // namespace elastogen::selector

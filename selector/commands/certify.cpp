@@ -40,7 +40,7 @@ Certificate certify_compiled(const symgen::AssociationId& id, const symgen::Law&
                              const CertifyCommand& command, const Context& context) {
   const char* precision = std::is_same_v<Scalar, float> ? "float" : "double";
   context.tell(fmt::format("certifying {} in {}", id.text(), precision));
-  return certify<Scalar>(id, law, kernels.table<Scalar>(), exact, command.options, {});
+  return certify<Scalar>(id, law, kernels.table<Scalar>(), exact, command.options);
 }
 
 int run_certify(const CertifyCommand& command, const Context& context) {

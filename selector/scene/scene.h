@@ -122,7 +122,7 @@ struct Scene {
   std::vector<LoadDescription> loads;
   std::vector<ProbeDescription> probes;
   std::optional<DynamicsDescription> dynamics;  ///< none: static equilibrium
-  Start start = Start::rest;  ///< of statics
+  Start start = Start::rest;                    ///< of statics
   SolverSettings solver;
   MeasureSettings measure;
   OutputSettings output;
