@@ -14,26 +14,38 @@ ImplicitEuler::ImplicitEuler(Model& model, const Constraints& constraints,
     : Integrator(model, constraints, motion, load, options, std::move(start)),
       solver_(make_linear_solver(options.linear_solver, model, constraints)) {}
 
-void ImplicitEuler::solve(const Vector& u, double h, const Vector& b, Vector& x) {
+void ImplicitEuler::solve(const Vector& u, double h, const Vector& b, const Vector& v, Vector& x) {
   x.setZero(u.size());
   if (constraints_.num_free() == 0) return;
-  model_.linearize(u);
   solver_->set_added_diagonal((1 + h * options_.damping) / (h * h) * mass_);
+  if (options_.projection != TangentProjection::always) {
+    model_.linearize(u);
+    if (try_solve(b, v, x)) return;
+  }
+  if (options_.projection != TangentProjection::never) {
+    model_.linearize(u, TangentForm::semidefinite);
+    if (try_solve(b, v, x)) return;
+  }
+  throw WorkError("the step's matrix is not positive definite; take a smaller step");
+}
+
+// False if the system is not positive definite.
+bool ImplicitEuler::try_solve(const Vector& b, const Vector& v, Vector& x) {
   solver_->update();
-  if (!solver_->set_shift(0)) {
-    throw WorkError("the step's matrix is not positive definite; take a smaller step");
-  }
-  const LinearSolveReport report = solver_->solve(b, options_.linear_tolerance, x);
+  if (!solver_->set_shift(0)) return false;
+  Vector right_side = b;
+  if (v.size() > 0) model_.product(v, 1, right_side);
+  constraints_.project(right_side);
+  const LinearSolveReport report = solver_->solve(right_side, options_.linear_tolerance, x);
   linear_iterations_ += report.iterations;
-  if (!report.positive_definite || !x.allFinite()) {
-    throw WorkError("the step's matrix is not positive definite; take a smaller step");
-  }
+  if (!report.positive_definite || !x.allFinite()) return false;
   if (!report.converged) {
     throw WorkError(
         fmt::format("conjugate gradient ended after {} iterations at a relative "
                     "residual of {:.1e}",
                     report.iterations, report.relative_residual));
   }
+  return true;
 }
 
 void ImplicitEuler::advance(double time, double h) {
@@ -48,12 +60,8 @@ void ImplicitEuler::advance(double time, double h) {
       velocity[k] = (moved[k] - state_.u[k]) / h;
     }
   }
-  Vector right_side = total_forces() / h;
-  model_.linearize(state_.u);
-  model_.product(velocity, 1, right_side);
-  constraints_.project(right_side);
   Vector change;
-  solve(state_.u, h, right_side, change);
+  solve(state_.u, h, total_forces() / h, velocity, change);
   state_.v = velocity + change;
   state_.u += h * state_.v;
   motion_.impose(time + h, state_.u);  // to the last bit
@@ -85,7 +93,7 @@ void ImplicitEuler::iterate(double h, const Vector& before, const Vector& veloci
                       "iterations",
                       residual.norm() / reference, iteration));
     }
-    solve(u, h, residual, change);
+    solve(u, h, residual, {}, change);
     u += change;
   }
 }

@@ -40,6 +40,7 @@ struct IntegratorOptions {
 
   /// Of implicit Euler only.
   LinearSolverOptions linear_solver;
+  TangentProjection projection = TangentProjection::on_demand;
   double linear_tolerance = 1e-8;  ///< of the residual of the linear systems, relative, in (0, 1)
   /// Linearisations per step. 1: the thesis's system; more: Newton's method on the nonlinear step.
   int newton_iterations = 1;

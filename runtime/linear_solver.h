@@ -1,13 +1,14 @@
 // Linear solvers for the tangent, (K + A + s D) x = b on the free degrees of freedom.
 //
-// A is a diagonal that the caller adds (0 unless set_added_diagonal is called: the mass of a time
-// step). K is the model's stiffness about its linearisation point; s >= 0 is the shift that makes
-// an indefinite K positive definite, relative to D = shift_scale(diagonal of K). Constrained
-// degrees of freedom of x are 0.
+// K may be what stands for the tangent (TangentForm). A is a diagonal that the caller adds (0
+// unless set_added_diagonal is called: the mass of a time step). K is the model's stiffness about
+// its linearisation point; s >= 0 is the shift that makes an indefinite K positive definite,
+// relative to D = shift_scale(diagonal of K). Constrained degrees of freedom of x are 0.
 #pragma once
 
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "runtime/constraints.h"
 #include "runtime/model.h"
@@ -24,6 +25,17 @@ struct LinearSolverOptions {
   LinearSolverKind kind = LinearSolverKind::conjugate_gradient;
   int max_iterations = 0;  ///< of one conjugate gradient solve; 0: ten per free degree of freedom
 };
+
+/// Whether the tangent's element matrices are projected to positive semi-definite ones
+/// (TangentForm::semidefinite), which needs the kernels' stiffness.
+enum class TangentProjection {
+  never,
+  on_demand,  ///< where the exact tangent is found to have negative curvature
+  always,
+};
+
+/// "never", "on_demand", "always"
+[[nodiscard]] std::string_view projection_name(TangentProjection projection);
 
 /// Outcome of one solve.
 struct LinearSolveReport {

@@ -91,8 +91,9 @@ struct Model::Data {
   std::vector<CompensatedSum> sums;     // [thread]
   std::optional<NodeAccumulator> accumulator;
   std::optional<StiffnessAssembly> assembly;  // made when first needed
-  Eigen::SparseMatrix<double> stiffness;      // for TangentProduct::assembled
-  Vector displacement;                        // linearisation point
+  Eigen::SparseMatrix<double> stiffness;      // where has_stiffness()
+  TangentForm form = TangentForm::exact;
+  Vector displacement;  // linearisation point
   std::vector<double> element_volumes, nodal_volumes, lumped_mass;
   ElementStatus status;
 
@@ -112,6 +113,17 @@ struct Model::Data {
   StiffnessAssembly& stiffness_assembly() {
     if (!assembly) assembly.emplace(groups, num_nodes, dim, threads);
     return *assembly;
+  }
+
+  // Whether products are those of the assembled stiffness.
+  [[nodiscard]] bool has_stiffness() const {
+    return form == TangentForm::semidefinite || tangent_product == TangentProduct::assembled;
+  }
+
+  void assemble(Eigen::SparseMatrix<double>& matrix) {
+    require_kernel(groups, &VariantTable<double>::stiffness, "stiffness");
+    stiffness_assembly().pattern().shape(matrix);
+    status = stiffness_assembly().run(groups, displacement.data(), form, matrix.valuePtr());
   }
 
   // Runs a pass whose kernels give numbers per element node and sums them into `out`.
@@ -273,13 +285,17 @@ void Model::forces(const ConstVectorRef& u, VectorRef f) {
   d.add_nodal(pass, f.data());
 }
 
-void Model::linearize(const ConstVectorRef& u) {
+void Model::linearize(const ConstVectorRef& u, TangentForm form) {
   Data& d = *data_;
   d.check_length(u.size(), "the displacement");
   d.displacement = u;
+  d.form = form;
   d.status = {};
-  if (d.tangent_product == TangentProduct::two_stage) d.store_states();
-  if (d.tangent_product == TangentProduct::assembled) assemble(d.stiffness);
+  if (d.has_stiffness()) {
+    d.assemble(d.stiffness);
+  } else if (d.tangent_product == TangentProduct::two_stage) {
+    d.store_states();
+  }
 }
 
 void Model::product(const ConstVectorRef& v, double scale, VectorRef df) {
@@ -289,7 +305,7 @@ void Model::product(const ConstVectorRef& v, double scale, VectorRef df) {
   ElementPass pass;
   pass.direction = v.data();
   pass.scale = scale;
-  switch (d.tangent_product) {
+  switch (d.has_stiffness() ? TangentProduct::assembled : d.tangent_product) {
     case TangentProduct::recompute:
       require_kernel(d.groups, &VariantTable<double>::product, "product");
       pass.kernel = &VariantTable<double>::product;
@@ -309,10 +325,13 @@ void Model::product(const ConstVectorRef& v, double scale, VectorRef df) {
 
 void Model::assemble(Eigen::SparseMatrix<double>& stiffness) {
   Data& d = *data_;
-  require_kernel(d.groups, &VariantTable<double>::stiffness, "stiffness");
-  StiffnessAssembly& assembly = d.stiffness_assembly();
-  assembly.pattern().shape(stiffness);
-  d.status = assembly.run(d.groups, d.displacement.data(), stiffness.valuePtr());
+  if (!d.has_stiffness()) {
+    d.assemble(stiffness);
+    return;
+  }
+  d.status = {};
+  d.stiffness_assembly().pattern().shape(stiffness);
+  std::copy_n(d.stiffness.valuePtr(), d.stiffness.nonZeros(), stiffness.valuePtr());
 }
 
 void Model::diagonal_blocks(std::vector<double>& blocks) {
@@ -320,6 +339,15 @@ void Model::diagonal_blocks(std::vector<double>& blocks) {
   require_kernel(d.groups, &VariantTable<double>::stiffness, "stiffness");
   const int per_node = d.dim * d.dim;
   blocks.assign(d.num_nodes * static_cast<std::size_t>(per_node), 0.0);
+  if (d.form == TangentForm::semidefinite) {
+    d.status = {};
+    for (std::size_t k = 0; k < blocks.size(); ++k) {
+      const auto row = static_cast<Eigen::Index>(k / static_cast<std::size_t>(d.dim));
+      const auto column = row / d.dim * d.dim + static_cast<Eigen::Index>(k) % d.dim;
+      blocks[k] = d.stiffness.coeff(row, column);
+    }
+    return;
+  }
   ElementPass pass;
   pass.kernel = &VariantTable<double>::stiffness;
   pass.displacement = d.displacement.data();

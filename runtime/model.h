@@ -36,6 +36,15 @@ enum class TangentProduct {
   assembled,  ///< `stiffness` is assembled once, every product is one with the sparse matrix
 };
 
+/// What stands for the tangent about a linearisation point.
+enum class TangentForm {
+  exact,
+  /// The assembled stiffness with each element's matrix projected to a positive semi-definite one
+  /// (project_semidefinite.h): a direction of Newton's method that descends. Products are those of
+  /// the matrix, whatever TangentProduct says.
+  semidefinite,
+};
+
 struct ModelOptions {
   int threads = 0;  ///< OpenMP threads; 0: as many as OpenMP offers and the elements' work pays for
   TangentProduct tangent_product = TangentProduct::recompute;
@@ -98,12 +107,13 @@ class Model {
 
   /// Makes u the point about which product(), assemble() and diagonal_blocks() work, until the next
   /// call. The values are copied. forces() and energy() leave the point alone; at first it is 0.
-  void linearize(const ConstVectorRef& u);
+  void linearize(const ConstVectorRef& u, TangentForm form = TangentForm::exact);
 
   /// df += scale * (df/dU) v = -scale * K v about the linearisation point.
   void product(const ConstVectorRef& v, double scale, VectorRef df);
 
-  /// K = d2W/dU2 about the linearisation point [N/m]: symmetric, stored in full, compressed. The
+  /// K = d2W/dU2 about the linearisation point, or what stands for it (TangentForm) [N/m]:
+  /// symmetric, stored in full, compressed. The
   /// matrix's pattern is made at the first call; a matrix of that pattern is filled in place.
   void assemble(Eigen::SparseMatrix<double>& stiffness);
 

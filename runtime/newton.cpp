@@ -56,6 +56,8 @@ class StaticSolver {
  private:
   void evaluate_start(double factor);
   StepOutcome solve_load_step(double factor);
+  void linearize(TangentForm form);
+  bool make_definite();
   bool find_direction(double forcing, bool has_gap);
   StepOutcome take_step(double factor, bool has_gap);
   bool grow_shift();
@@ -77,6 +79,7 @@ class StaticSolver {
   double start_residual_ = 0;
   double previous_residual_ = 0;  // of the Newton iteration before, 0 if there is none
   double previous_forcing_ = 0;
+  TangentForm form_ = TangentForm::exact;
   double shift_ = 0;
   double step_ = 1;
   std::string reason_;
@@ -118,6 +121,25 @@ double StaticSolver::forcing_term(double threshold) {
   return forcing;
 }
 
+void StaticSolver::linearize(TangentForm form) {
+  {
+    const Stopwatch watch(result_.times.linearization);
+    model_.linearize(state_.u, form);
+  }
+  form_ = form;
+  if (form == TangentForm::semidefinite) ++result_.projections;
+  solver_->update();
+}
+
+// Makes the tangent more definite than it is, if there is a way left.
+bool StaticSolver::make_definite() {
+  if (form_ == TangentForm::exact && options_.projection == TangentProjection::on_demand) {
+    linearize(TangentForm::semidefinite);
+    return true;
+  }
+  return grow_shift();
+}
+
 bool StaticSolver::grow_shift() {
   shift_ = std::max(first_shift, shift_ * shift_factor);
   if (shift_ <= largest_shift) return true;
@@ -127,12 +149,12 @@ bool StaticSolver::grow_shift() {
 
 // Solves (K + s D) direction = residual - K gap, with the smallest shift that is found to work.
 bool StaticSolver::find_direction(double forcing, bool has_gap) {
-  right_side_ = state_.residual;
-  if (has_gap) {
-    model_.product(gap_, 1, right_side_);
-    constraints_.project(right_side_);
-  }
   while (true) {
+    right_side_ = state_.residual;
+    if (has_gap) {
+      model_.product(gap_, 1, right_side_);
+      constraints_.project(right_side_);
+    }
     if (options_.linear_solver.kind == LinearSolverKind::cholesky) ++result_.factorizations;
     if (solver_->set_shift(shift_)) {
       const LinearSolveReport report = solver_->solve(right_side_, forcing, direction_);
@@ -140,7 +162,7 @@ bool StaticSolver::find_direction(double forcing, bool has_gap) {
       const bool descends = has_gap || dot(state_.residual, direction_, model_.num_threads()) > 0;
       if (report.positive_definite && descends) return true;
     }
-    if (!grow_shift()) return false;
+    if (!make_definite()) return false;
   }
 }
 
@@ -160,7 +182,8 @@ StepOutcome StaticSolver::take_step(double factor, bool has_gap) {
     return StepOutcome::moved;
   }
   while (true) {
-    switch (potential_.search(state_, direction_, shift_ == 0, trial_, step_)) {
+    const bool is_exact = shift_ == 0 && form_ == TangentForm::exact;
+    switch (potential_.search(state_, direction_, is_exact, trial_, step_)) {
       case LineSearchOutcome::accepted:
         std::swap(state_, trial_);
         return StepOutcome::moved;
@@ -170,7 +193,7 @@ StepOutcome StaticSolver::take_step(double factor, bool has_gap) {
                         state_.residual_norm);
         return StepOutcome::stopped;
       case LineSearchOutcome::failed:
-        if (!grow_shift() || !find_direction(loosest_forcing, false)) {
+        if (!make_definite() || !find_direction(loosest_forcing, false)) {
           reason_ = "the line search found no smaller potential along any direction tried";
           return StepOutcome::failed;
         }
@@ -190,6 +213,7 @@ bool StaticSolver::report(double factor, double step, int linear_iterations) {
   progress.potential = state_.potential;
   progress.step = step;
   progress.shift = shift_;
+  progress.projected = form_ == TangentForm::semidefinite;
   progress.linear_iterations = linear_iterations;
   return options_.on_iteration(progress);
 }
@@ -210,6 +234,7 @@ StepOutcome StaticSolver::solve_load_step(double factor) {
   evaluate_start(factor);
   start_residual_ = state_.residual_norm;
   previous_residual_ = 0;
+  form_ = TangentForm::exact;
   shift_ = 0;
   if (result_.iterations == 0 && !report(factor, 0, 0)) {
     reason_ = "it was interrupted";
@@ -226,11 +251,8 @@ StepOutcome StaticSolver::solve_load_step(double factor) {
       return StepOutcome::stopped;
     }
     ++result_.iterations;
-    {
-      const Stopwatch watch(result_.times.linearization);
-      model_.linearize(state_.u);
-    }
-    solver_->update();
+    linearize(options_.projection == TangentProjection::always ? TangentForm::semidefinite
+                                                               : TangentForm::exact);
     shift_ = shift_ > first_shift ? shift_ / shift_factor : 0;
     const int iterations_before = result_.linear_iterations;
     if (!find_direction(forcing_term(threshold), has_gap)) return StepOutcome::failed;

@@ -30,11 +30,13 @@ struct NewtonProgress {
   double potential = 0;          ///< W(u) - f.u [J]
   double step = 0;               ///< length taken of the Newton step, in (0, 1]
   double shift = 0;              ///< diagonal shift s of the tangent K + s D
+  bool projected = false;        ///< the tangent was projected to a semi-definite one
   int linear_iterations = 0;     ///< conjugate gradient iterations in this Newton iteration
 };
 
 struct NewtonOptions {
   LinearSolverOptions linear_solver;
+  TangentProjection projection = TangentProjection::never;
 
   /// Converged when |r| <= tolerance * max(|f|, |R|) + rounding, all 2-norms over degrees of
   /// freedom: r = f - dW/dU on the free ones, f the load on the free ones, R the reactions on the
@@ -68,6 +70,7 @@ struct NewtonResult {
   int load_steps = 0;  ///< load steps that converged, likewise
   int linear_iterations = 0;  ///< conjugate gradient, in total
   int factorizations = 0;     ///< Cholesky, in total
+  int projections = 0;        ///< tangents that were projected, in total
   int energy_evaluations = 0;
   double load_factor = 0;        ///< fraction of the load that `u` balances; 1 when converged
   double residual = 0;           ///< |r| at the end [N]
@@ -85,9 +88,9 @@ struct NewtonResult {
 /// decreases Pi (Armijo); an energy that is not finite, or an element out of its law's domain,
 /// counts as too long a step. Where energy differences drown in rounding, a decrease of |r| is
 /// asked for instead. The shift s is 0 while K is positive definite and grows tenfold until
-/// K + s D is. Conjugate gradient is solved inexactly with a tolerance after Eisenstat and Walker,
-/// "Choosing the forcing terms in an inexact Newton method", SIAM J. Sci. Comput. 17 (1996),
-/// choice 2.
+/// K + s D is; with a projection of K on demand, that is tried first. Conjugate gradient is solved
+/// inexactly with a tolerance after Eisenstat and Walker, "Choosing the forcing terms in an inexact
+/// Newton method", SIAM J. Sci. Comput. 17 (1996), choice 2.
 ///
 /// Prescribed motion is made at once at the start of a load step, the rest of the body following it
 /// to first order; the line search begins after that.

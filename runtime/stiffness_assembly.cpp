@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "runtime/project_semidefinite.h"
+
 namespace elastogen {
 namespace {
 
@@ -20,6 +22,18 @@ std::size_t largest_matrix_batch(const std::vector<ElementGroup>& groups) {
   return size;
 }
 
+/// Projects the matrices of one batch in their place.
+void project_batch(const ElementGroup& group, std::size_t batch, double* matrices) {
+  const Eigen::Index size = group.num_nodes * group.dim;
+  Eigen::MatrixXd matrix(size, size);
+  for (int lane = 0; lane < group.used_lanes(batch); ++lane) {
+    Eigen::Map<Eigen::MatrixXd, Eigen::Unaligned, Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>>
+        in_batch(matrices + lane, size, size, {size * group.lanes, group.lanes});
+    matrix = in_batch;
+    if (project_semidefinite(matrix)) in_batch = matrix;
+  }
+}
+
 }  // namespace
 
 StiffnessAssembly::StiffnessAssembly(const std::vector<ElementGroup>& groups, std::size_t num_nodes,
@@ -31,7 +45,7 @@ StiffnessAssembly::StiffnessAssembly(const std::vector<ElementGroup>& groups, st
                 static_cast<std::size_t>(threads)) {}
 
 ElementStatus StiffnessAssembly::run(const std::vector<ElementGroup>& groups,
-                                     const double* displacement, double* values) {
+                                     const double* displacement, TangentForm form, double* values) {
   ElementPass pass;
   pass.kernel = &VariantTable<double>::stiffness;
   pass.displacement = displacement;
@@ -53,8 +67,13 @@ ElementStatus StiffnessAssembly::run(const std::vector<ElementGroup>& groups,
         with_layout(group, [&](auto layout) {
           for (std::size_t batch = begin + static_cast<std::size_t>(thread); batch < end;
                batch += static_cast<std::size_t>(num_threads)) {
-            status[static_cast<std::size_t>(thread)].merge(compute_batch<decltype(layout)>(
-                group, batch, pass, workspace, matrices_.data() + (batch - begin) * size));
+            double* const matrices = matrices_.data() + (batch - begin) * size;
+            const ElementStatus batch_status =
+                compute_batch<decltype(layout)>(group, batch, pass, workspace, matrices);
+            if (form == TangentForm::semidefinite && batch_status.ok()) {
+              project_batch(group, batch, matrices);
+            }
+            status[static_cast<std::size_t>(thread)].merge(batch_status);
           }
         });
 #pragma omp barrier

@@ -6,6 +6,7 @@
 
 #include "runtime/block_pattern.h"
 #include "runtime/element_pass.h"
+#include "runtime/model.h"
 
 namespace elastogen {
 
@@ -19,9 +20,11 @@ class StiffnessAssembly {
 
   [[nodiscard]] const BlockPattern& pattern() const { return pattern_; }
 
+  /// @param form  semidefinite: of the elements' matrices projected one by one; those of bad
+  ///              elements are left alone
   /// @return the first bad element
   ElementStatus run(const std::vector<ElementGroup>& groups, const double* displacement,
-                    double* values);
+                    TangentForm form, double* values);
 
  private:
   void add_columns(const ElementGroup& group, std::size_t group_number, std::size_t batch,

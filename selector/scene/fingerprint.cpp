@@ -18,8 +18,10 @@ std::string_view bytes_of(const Number* numbers, std::size_t count) {
 
 /// Settings of the steps; a number's shortest text that reads back as itself stands for it.
 std::string settings_text(const Scene& scene, double time_step) {
-  const char* method =
-      scene.solver.method == LinearSolverKind::cholesky ? "cholesky" : "conjugate gradient";
+  const std::string method = fmt::format(
+      "{} {}",
+      scene.solver.method == LinearSolverKind::cholesky ? "cholesky" : "conjugate gradient",
+      scene.solver.projection ? projection_name(*scene.solver.projection) : "default");
   if (!scene.dynamics) {
     return fmt::format("static {} {} {}", method, scene.solver.tolerance, scene.solver.load_steps);
   }

@@ -90,6 +90,7 @@ MotionPlan plan_motion(const Scene& scene, const Problem& problem, Model& model)
   const DynamicsDescription& dynamics = *scene.dynamics;
   MotionPlan plan{dynamics.options, 0, {}};
   plan.options.linear_solver.kind = scene.solver.method;
+  if (scene.solver.projection) plan.options.projection = *scene.solver.projection;
   plan.options.step = dynamics.step.value_or(0);
   if (is_explicit(plan.options.scheme)) {
     const Vector rest = Vector::Zero(static_cast<Eigen::Index>(model.num_dofs()));

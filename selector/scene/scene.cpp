@@ -160,17 +160,26 @@ std::vector<ProbeDescription> read_probes(const TomlTable& scene, int dim) {
 SolverSettings read_solver(const TomlTable& table,
                            const std::optional<DynamicsDescription>& dynamics) {
   if (!dynamics) {
-    table.allow_only({"method", "tolerance", "max_iterations", "load_steps", "threads"});
+    table.allow_only({"method", "project", "tolerance", "max_iterations", "load_steps", "threads"});
   } else if (is_explicit(dynamics->options.scheme)) {
     table.allow_only({"threads"});
   } else {
-    table.allow_only({"method", "threads"});
+    table.allow_only({"method", "project", "threads"});
   }
   SolverSettings solver;
   if (table.has("method")) {
     solver.method = table.choice("method", {"cg", "cholesky"}) == "cg"
                         ? LinearSolverKind::conjugate_gradient
                         : LinearSolverKind::cholesky;
+  }
+  if (table.has("project")) {
+    constexpr std::array all = {TangentProjection::never, TangentProjection::on_demand,
+                                TangentProjection::always};
+    std::vector<std::string> names;
+    for (const TangentProjection p : all) names.emplace_back(projection_name(p));
+    const std::string chosen = table.choice("project", names);
+    solver.projection = *std::find_if(
+        all.begin(), all.end(), [&](TangentProjection p) { return projection_name(p) == chosen; });
   }
   if (table.has("tolerance")) solver.tolerance = table.number("tolerance", {0, 1, true, true});
   if (table.has("max_iterations")) solver.max_iterations = table.integer("max_iterations", 1);

@@ -79,6 +79,7 @@ struct ProbeDescription {
 
 struct SolverSettings {
   LinearSolverKind method = LinearSolverKind::conjugate_gradient;
+  std::optional<TangentProjection> projection;  ///< none: the default of statics or dynamics
   double tolerance = 1e-8;
   int max_iterations = 100;
   int load_steps = 1;

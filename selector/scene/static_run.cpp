@@ -13,6 +13,7 @@ std::string progress_line(const NewtonProgress& progress) {
       progress.residual, progress.relative_residual, progress.potential);
   if (progress.iteration > 0) line += fmt::format("  step {:.3g}", progress.step);
   if (progress.linear_iterations > 0) line += fmt::format("  cg {}", progress.linear_iterations);
+  if (progress.projected) line += "  projected";
   if (progress.shift > 0) line += fmt::format("  shift {:.1e}", progress.shift);
   if (progress.load_factor < 1) line += fmt::format("  load {:.3g}", progress.load_factor);
   return line;
@@ -21,6 +22,7 @@ std::string progress_line(const NewtonProgress& progress) {
 NewtonOptions newton_options(const SolverSettings& solver) {
   NewtonOptions options;
   options.linear_solver.kind = solver.method;
+  if (solver.projection) options.projection = *solver.projection;
   options.tolerance = solver.tolerance;
   options.max_iterations = solver.max_iterations;
   options.load_steps = solver.load_steps;

@@ -86,6 +86,7 @@ Json newton_json(const RunSummary& summary) {
                 {"newton_iterations", newton.iterations},
                 {"cg_iterations", newton.linear_iterations},
                 {"factorizations", newton.factorizations},
+                {"projections", newton.projections},
                 {"energy_evaluations", newton.energy_evaluations},
                 {"load_factor", newton.load_factor},
                 {"residual", newton.residual},
@@ -254,6 +255,7 @@ std::string newton_text(const RunSummary& summary) {
   text += summary.scene->solver.method == LinearSolverKind::cholesky
               ? fmt::format("{} factorizations", newton.factorizations)
               : fmt::format("{} CG iterations", newton.linear_iterations);
+  if (newton.projections > 0) text += fmt::format(", {} projections", newton.projections);
   if (newton.load_steps > 1) text += fmt::format(", {} load steps", newton.load_steps);
   return text + "\n";
 }

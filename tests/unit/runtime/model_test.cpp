@@ -176,6 +176,44 @@ TEST_P(ModelOfEachKernel, StrategiesOfTheProductAgree) {
   }
 }
 
+TEST_P(ModelOfEachKernel, SemidefiniteTangentHasNoNegativeDirection) {
+  const Vector v = random_vector(3 * mesh_.num_nodes(), 1, 7);
+  // Crushed: the exact tangent has negative directions.
+  Vector u = random_vector(3 * mesh_.num_nodes(), 0.01, 8);
+  for (std::size_t node = 0; node < mesh_.num_nodes(); ++node) {
+    u[static_cast<Eigen::Index>(3 * node)] -= 0.45 * mesh_.positions[3 * node];
+  }
+  Model model = make({.threads = 2});
+  const auto least_curvature = [](const Eigen::SparseMatrix<double>& k) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(Eigen::MatrixXd{k});
+    return spectrum.eigenvalues()[0] / spectrum.eigenvalues()[k.rows() - 1];
+  };
+  Eigen::SparseMatrix<double> k;
+  model.linearize(u);
+  model.assemble(k);
+  const bool hardens = least_curvature(k) > -1e-12;  // a linear law does
+  const Eigen::SparseMatrix<double> exact = k;
+  model.linearize(u, TangentForm::semidefinite);
+  model.assemble(k);
+  EXPECT_GT(least_curvature(k), -1e-12);
+  EXPECT_EQ((k - exact).norm() == 0, hardens);
+
+  // Product and diagonal blocks are those of the same matrix.
+  Vector p = Vector::Ones(v.size());
+  model.product(v, -2, p);
+  EXPECT_LT((p - Vector::Ones(v.size()) - 2 * (k * v)).norm(), 1e-13 * p.norm());
+  std::vector<double> blocks;
+  model.diagonal_blocks(blocks);
+  for (Eigen::Index row = 0; row < k.rows(); ++row) {
+    for (Eigen::Index j = 0; j < 3; ++j) {
+      EXPECT_EQ(blocks[static_cast<std::size_t>(3 * row + j)], k.coeff(row, row / 3 * 3 + j));
+    }
+  }
+  model.linearize(u);
+  model.assemble(k);
+  EXPECT_EQ((k - exact).norm(), 0);
+}
+
 TEST_P(ModelOfEachKernel, ThreadsAgreeToRoundingAndRepeatBitForBit) {
   const Vector u = random_vector(3 * mesh_.num_nodes(), 0.03, 9);
   Model one = make({.threads = 1});

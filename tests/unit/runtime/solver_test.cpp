@@ -125,25 +125,41 @@ TEST_P(Cantilever, EnergyFallsAtEveryIteration) {
   }
 }
 
-TEST_P(Cantilever, ACrushedStartNeedsTheShift) {
+TEST_P(Cantilever, ACrushedStartNeedsTheShiftOrAProjection) {
   // Start from a state where the tangent is indefinite; the minimum is the same.
   const NewtonResult direct = solve();
   ASSERT_EQ(direct.status, NewtonStatus::converged) << direct.reason;
   const double tip_from_rest = u_[tip()];
-  u_ = random_vector(model_.num_dofs(), 0.02, 8);
+  Vector start = random_vector(model_.num_dofs(), 0.02, 8);
   for (std::size_t node = 0; node < mesh_.num_nodes(); ++node) {
-    u_[static_cast<Eigen::Index>(3 * node)] -= 0.2 * mesh_.positions[3 * node];
+    start[static_cast<Eigen::Index>(3 * node)] -= 0.2 * mesh_.positions[3 * node];
   }
-  constraints_.impose(u_);
-  double largest_shift = 0;
-  options_.on_iteration = [&](const NewtonProgress& progress) {
-    largest_shift = std::max(largest_shift, progress.shift);
-    return true;
-  };
-  const NewtonResult result = solve();
-  ASSERT_EQ(result.status, NewtonStatus::converged) << result.reason;
-  EXPECT_GT(largest_shift, 0);
-  EXPECT_NEAR(u_[tip()], tip_from_rest, 1e-4 * std::abs(tip_from_rest));
+  constraints_.impose(start);
+  for (const TangentProjection projection :
+       {TangentProjection::never, TangentProjection::on_demand, TangentProjection::always}) {
+    SCOPED_TRACE(projection_name(projection));
+    double largest_shift = 0;
+    int projected = 0;
+    options_.projection = projection;
+    options_.on_iteration = [&](const NewtonProgress& progress) {
+      largest_shift = std::max(largest_shift, progress.shift);
+      projected += progress.projected ? 1 : 0;
+      return true;
+    };
+    u_ = start;
+    const NewtonResult result = solve();
+    ASSERT_EQ(result.status, NewtonStatus::converged) << result.reason;
+    EXPECT_NEAR(u_[tip()], tip_from_rest, 1e-4 * std::abs(tip_from_rest));
+    EXPECT_EQ(result.projections, projected);
+    if (projection == TangentProjection::never) {
+      EXPECT_GT(largest_shift, 0);
+      EXPECT_EQ(projected, 0);
+    } else {
+      EXPECT_EQ(largest_shift, 0);
+      EXPECT_GT(projected, 0);
+      EXPECT_EQ(projected == result.iterations, projection == TangentProjection::always);
+    }
+  }
 }
 
 TEST_P(Cantilever, PrescribedStretchMatchesItsReactions) {
