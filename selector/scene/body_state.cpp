@@ -4,6 +4,7 @@
 #include <map>
 
 #include "selector/io/vtu.h"
+#include "selector/scene/node_vector.h"
 
 namespace elastogen::selector {
 namespace {
@@ -24,15 +25,6 @@ std::vector<ElementLabels> element_labels(const SceneMesh& mesh) {
   return {associations, regions};
 }
 
-/// A node's part of a nodal vector, filled up with 0 in the plane.
-Eigen::Vector3d at_node(std::span<const double> values, std::int32_t node, std::size_t dim) {
-  Eigen::Vector3d result = Eigen::Vector3d::Zero();
-  for (std::size_t c = 0; c < dim; ++c) {
-    result[static_cast<Eigen::Index>(c)] = values[dim * static_cast<std::size_t>(node) + c];
-  }
-  return result;
-}
-
 std::array<double, 3> to_array(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
@@ -42,8 +34,11 @@ ProbeResult evaluate_probe(const Probe& probe, const Mesh& mesh, const BodyState
   const auto count = static_cast<double>(probe.nodes.size());
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(), displacement = centre, reaction = centre,
                   moment = centre;
-  for (const std::int32_t node : probe.nodes) centre += at_node(mesh.positions, node, dim) / count;
-  for (const std::int32_t node : probe.nodes) {
+  for (const std::int32_t n : probe.nodes) {
+    centre += at_node(mesh.positions, static_cast<std::size_t>(n), dim) / count;
+  }
+  for (const std::int32_t n : probe.nodes) {
+    const auto node = static_cast<std::size_t>(n);
     const Eigen::Vector3d u = at_node(values_of(state.displacement), node, dim);
     const Eigen::Vector3d force = at_node(values_of(state.reactions), node, dim);
     displacement += u / count;
@@ -52,6 +47,19 @@ ProbeResult evaluate_probe(const Probe& probe, const Mesh& mesh, const BodyState
   }
   return {probe.name, probe.nodes.size(), to_array(displacement), to_array(reaction),
           to_array(moment)};
+}
+
+Momentum momentum_of(const Mesh& mesh, std::span<const double> mass, const BodyState& state) {
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = linear;
+  for (std::size_t node = 0; node < mass.size(); ++node) {
+    const Eigen::Vector3d p = mass[node] * at_node(values_of(state.velocity), node, dim);
+    linear += p;
+    angular +=
+        (at_node(mesh.positions, node, dim) + at_node(values_of(state.displacement), node, dim))
+            .cross(p);
+  }
+  return {to_array(linear), to_array(angular)};
 }
 
 std::vector<double> energy_density(Model& model, const Vector& displacement) {

@@ -39,6 +39,16 @@ struct ProbeResult {
 [[nodiscard]] ProbeResult evaluate_probe(const Probe& probe, const Mesh& mesh,
                                          const BodyState& state);
 
+/// Of a body in motion.
+struct Momentum {
+  std::array<double, 3> linear{};   ///< [kg m/s]
+  std::array<double, 3> angular{};  ///< about the origin [kg m^2/s]; in the plane about z
+};
+
+/// @param mass  of each node [kg]
+[[nodiscard]] Momentum momentum_of(const Mesh& mesh, std::span<const double> mass,
+                                   const BodyState& state);
+
 /// Elastic energy of each element per rest volume [J/m^3].
 [[nodiscard]] std::vector<double> energy_density(Model& model, const Vector& displacement);
 

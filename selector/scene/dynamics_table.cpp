@@ -57,8 +57,8 @@ void read_implicit_keys(const TomlTable& table, IntegratorOptions& options) {
 bool is_explicit(IntegrationScheme scheme) { return scheme != IntegrationScheme::implicit_euler; }
 
 DynamicsDescription read_dynamics(const TomlTable& table, int dim) {
-  table.allow_only({"scheme", "step", "end", "damping", "velocity", "rest", "linear_tolerance",
-                    "newton_iterations", "newton_tolerance"});
+  table.allow_only({"scheme", "step", "end", "damping", "velocity", "spin", "rest",
+                    "linear_tolerance", "newton_iterations", "newton_tolerance"});
   DynamicsDescription dynamics;
   dynamics.options.scheme = read_scheme(table);
   dynamics.step_where = table.where("step");
@@ -71,6 +71,10 @@ DynamicsDescription read_dynamics(const TomlTable& table, int dim) {
   }
   if (table.has("damping")) dynamics.options.damping = table.number("damping", not_negative);
   if (table.has("velocity")) dynamics.velocity = table.vector("velocity", dim);
+  if (table.has("spin")) {
+    dynamics.spin = dim == 3 ? table.vector("spin", 3)
+                             : std::array<double, 3>{0, 0, table.number("spin", any_number)};
+  }
   if (table.has("rest")) dynamics.rest = read_rest(table.table("rest"));
   read_implicit_keys(table, dynamics.options);
   return dynamics;

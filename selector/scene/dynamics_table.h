@@ -23,6 +23,7 @@ struct DynamicsDescription {
   std::optional<double> step;        ///< [s]; none: explicit, by the critical step
   double end = 0;                    ///< [s]
   std::array<double, 3> velocity{};  ///< of the free nodes at the start [m/s]
+  std::array<double, 3> spin{};      ///< likewise, about the centre of mass [rad/s]
   std::optional<RestCriterion> rest;
   /// Scheme, damping, tolerances and iterations; step and linear solver are not set.
   IntegratorOptions options;

@@ -10,6 +10,7 @@
 #include "runtime/stable_step.h"
 #include "selector/scene/located_error.h"
 #include "selector/scene/simulation.h"
+#include "selector/scene/start.h"
 
 namespace elastogen::selector {
 namespace {
@@ -126,10 +127,14 @@ MotionResult run_motion(const Scene& scene, const Problem& problem, Model& model
                         const RunHooks& hooks, BodyState& end) {
   const Clock::time_point begin = Clock::now();
   const auto dim = static_cast<std::size_t>(model.dim());
-  const auto integrator = make_integrator(
-      model, problem.constraints, problem.motion, make_load(scene, problem, model), plan.options,
-      start ? *start->motion
-            : start_of_motion(model, std::span(scene.dynamics->velocity).first(dim)));
+  const auto first_state = [&] {
+    MotionState state = start_of_motion(model, std::span(scene.dynamics->velocity).first(dim));
+    state.v += spin_velocity(problem.mesh.mesh, model.lumped_mass(), scene.dynamics->spin);
+    return state;
+  };
+  const auto integrator =
+      make_integrator(model, problem.constraints, problem.motion, make_load(scene, problem, model),
+                      plan.options, start ? *start->motion : first_state());
   RestWatch rest(scene.dynamics->rest, model.num_nodes(), plan.options.step,
                  start ? start->quiet_steps : 0);
   Progress progress(plan, *integrator, hooks);

@@ -31,16 +31,23 @@ std::vector<std::string> column_names(const Scene& scene) {
     names.emplace_back("load_factor");
   }
   if (scene.output.energy) names.emplace_back("elastic_energy");
+  const auto add_turning = [&](const std::string& quantity) {
+    for (const std::string axis : {"x", "y", "z"}) {
+      // In the plane things turn about z.
+      if (scene.dim == 3 || axis == "z") names.push_back(quantity + axis);
+    }
+  };
+  if (scene.output.momentum) {
+    for (const std::string& axis : axes_of(scene.dim)) names.push_back("momentum_" + axis);
+    add_turning("angular_momentum_");
+  }
   for (const ProbeDescription& probe : scene.probes) {
     for (const char* quantity : {"u", "r"}) {
       for (const std::string& axis : axes_of(scene.dim)) {
         names.push_back(fmt::format("{}_{}{}", probe.name, quantity, axis));
       }
     }
-    for (const char* axis : {"x", "y", "z"}) {
-      // A moment in the plane is about z.
-      if (scene.dim == 3 || *axis == 'z') names.push_back(fmt::format("{}_m{}", probe.name, axis));
-    }
+    add_turning(probe.name + "_m");
   }
   return names;
 }
@@ -123,12 +130,23 @@ void Recorder::record(std::int64_t step, double time, const BodyState& state) {
     const auto add = [&](double value) { fields.push_back(fmt::format("{}", value)); };
     if (scene_.dynamics) add(state.kinetic_energy);
     if (scene_.output.energy) add(model_.energy(state.displacement));
+    const auto dim = static_cast<std::size_t>(scene_.dim);
+    const auto add_vector = [&](const std::array<double, 3>& vector) {
+      for (std::size_t c = 0; c < dim; ++c) add(vector[c]);
+    };
+    const auto add_turning = [&](const std::array<double, 3>& vector) {
+      for (std::size_t c = dim == 3 ? 0 : 2; c < 3; ++c) add(vector[c]);
+    };
+    if (scene_.output.momentum) {
+      const Momentum momentum = momentum_of(problem_.mesh.mesh, model_.lumped_mass(), state);
+      add_vector(momentum.linear);
+      add_turning(momentum.angular);
+    }
     for (const Probe& probe : problem_.probes) {
       const ProbeResult result = evaluate_probe(probe, problem_.mesh.mesh, state);
-      const auto dim = static_cast<std::size_t>(scene_.dim);
-      for (std::size_t c = 0; c < dim; ++c) add(result.displacement[c]);
-      for (std::size_t c = 0; c < dim; ++c) add(result.reaction[c]);
-      for (std::size_t c = dim == 3 ? 0 : 2; c < 3; ++c) add(result.moment[c]);
+      add_vector(result.displacement);
+      add_vector(result.reaction);
+      add_turning(result.moment);
     }
     append(join(fields, ",") + "\n");
   }

@@ -198,11 +198,11 @@ OutputSettings default_output(const Scene& scene) {
 }
 
 OutputSettings read_output(const TomlTable& table, const Scene& scene) {
-  table.allow_only({"write", "every", "energy"});
+  table.allow_only({"write", "every", "energy", "momentum"});
   OutputSettings output = default_output(scene);
   if (table.has("write")) {
     const bool energy = output.energy;
-    output = {false, false, false, false, false, {}, energy};
+    output = {false, false, false, false, false, {}, false, energy};
     const std::vector<std::pair<std::string, bool*>> choices = {{"vtu", &output.vtu},
                                                                 {"curve", &output.curve},
                                                                 {"picture", &output.picture},
@@ -229,6 +229,12 @@ OutputSettings read_output(const TomlTable& table, const Scene& scene) {
   if (table.has("energy")) {
     if (!scene.dynamics) table.fail("energy", "is for [dynamics]: statics always computes it");
     output.energy = table.boolean("energy");
+  }
+  if (table.has("momentum")) {
+    if (!scene.dynamics || !output.history) {
+      table.fail("momentum", "is of the history of a motion, which is not written");
+    }
+    output.momentum = table.boolean("momentum");
   }
   return output;
 }

@@ -93,6 +93,7 @@ struct OutputSettings {
   bool series = false;  ///< of motions and load steps; so is the next
   bool history = false;
   std::optional<int> every;  ///< time or load steps between the files of the series
+  bool momentum = false;     ///< of motions, in the history
   bool energy = true;        ///< elastic energy, and its density in each element
 };
 

@@ -1,8 +1,11 @@
 #include "selector/scene/start.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <random>
+
+#include "selector/scene/node_vector.h"
 
 namespace elastogen::selector {
 namespace {
@@ -46,6 +49,27 @@ Vector start_displacement(const Mesh& mesh, Start start) {
     }
   }
   return u;
+}
+
+Vector spin_velocity(const Mesh& mesh, std::span<const double> mass,
+                     const std::array<double, 3>& spin) {
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  const Eigen::Vector3d angular_velocity(spin[0], spin[1], spin[2]);
+  if (angular_velocity.isZero(0))
+    return Vector::Zero(static_cast<Eigen::Index>(mesh.positions.size()));
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double total = 0;
+  for (std::size_t node = 0; node < mass.size(); ++node) {
+    centre += mass[node] * at_node(mesh.positions, node, dim);
+    total += mass[node];
+  }
+  centre /= total;
+  Vector velocity(static_cast<Eigen::Index>(mesh.positions.size()));
+  for (std::size_t node = 0; node < mass.size(); ++node) {
+    const Eigen::Vector3d v = angular_velocity.cross(at_node(mesh.positions, node, dim) - centre);
+    velocity.segment(static_cast<Eigen::Index>(dim * node), mesh.dim) = v.head(mesh.dim);
+  }
+  return velocity;
 }
 
 }  // namespace elastogen::selector

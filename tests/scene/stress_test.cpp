@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -125,6 +127,79 @@ TEST_F(Stress, UndampedSwingKeepsItsHeightForAHundredThousandSteps) {
         std::minmax_element(height.begin() + k * piece, height.begin() + (k + 1) * piece);
     EXPECT_NEAR(*low, -3.7, 0.15);
     EXPECT_NEAR(*high, 0, 0.15);
+  }
+}
+
+struct Drift {
+  const char* scheme;
+  double angular_momentum;  ///< greatest change, relative
+  double energy;            ///< likewise
+};
+
+class FreeSpin : public Stress, public testing::WithParamInterface<Drift> {};
+
+TEST_P(FreeSpin, KeepsMomentumAndEnergyForAHundredThousandSteps) {
+  (void)run_stress(replaced_once(stress_scene("free_spin", "stable_neo_hookean"),
+                                 "central_differences", GetParam().scheme));
+  constexpr double mass = 1000, gravity = -0.1;
+  const Eigen::Vector3d spin(0.1, 0.2, 1.0);
+  const std::vector<double> time = history("time");
+  const std::vector<double> kinetic = history("kinetic_energy"),
+                            elastic = history("elastic_energy");
+  std::array<std::vector<double>, 3> momentum, angular;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::string axis(1, "xyz"[c]);
+    momentum[c] = history("momentum_" + axis);
+    angular[c] = history("angular_momentum_" + axis);
+  }
+  Eigen::Vector3d at_start = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    const Eigen::Vector3d p(momentum[0][k], momentum[1][k], momentum[2][k]);
+    const Eigen::Vector3d weight(0, 0, mass * gravity);
+    EXPECT_LT((p - weight * time[k]).norm(), 1e-12 * weight.norm() * time.back()) << k;
+    // What the falling centre of mass has is taken off.
+    const Eigen::Vector3d centre(1, 0.5, 0.25 + 0.5 * gravity * time[k] * time[k]);
+    const Eigen::Vector3d l =
+        Eigen::Vector3d(angular[0][k], angular[1][k], angular[2][k]) - centre.cross(p);
+    if (k == 0) at_start = l;
+    EXPECT_LT((l - at_start).norm(), GetParam().angular_momentum * at_start.norm()) << k;
+    const double energy = kinetic[k] + elastic[k] - p.squaredNorm() / (2 * mass);
+    EXPECT_NEAR(energy / (0.5 * spin.dot(at_start)), 1, GetParam().energy) << k;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FreeSpin,
+                         testing::Values(Drift{"central_differences", 1e-9, 1e-5},
+                                         Drift{"symplectic_euler", 1e-9, 5e-4}),
+                         [](const auto& drift) { return std::string(drift.param.scheme); });
+
+TEST_F(Stress, SliverInAGoodMeshIsHarmless) {
+  for (const char* law : {"hooke", "stvk", "neo_hookean", "stable_neo_hookean"}) {
+    for (const char* method : {"cg", "cholesky"}) {
+      const std::string scene = replaced_once(stress_scene("sliver", law), "\"cholesky\"",
+                                              '"' + std::string(method) + '"');
+      const nlohmann::json with = run_stress(scene);
+      const std::size_t comment = scene.find("# the sliver");
+      const std::size_t line = scene.rfind('\n', comment);
+      const nlohmann::json without = run_stress(scene.substr(0, line) + scene.substr(comment));
+      const double force = without["probes"][0]["reaction"][0];
+      const double stiffened = with["probes"][0]["reaction"][0].get<double>() / force;
+      EXPECT_GT(stiffened, 1) << law << ' ' << method;
+      EXPECT_LT(stiffened, 1.12) << law << ' ' << method;  // of two cubes, whose face it holds
+      EXPECT_LT(with["solver"]["newton_iterations"], 10) << law << ' ' << method;
+    }
+  }
+}
+
+TEST_F(Stress, ProjectedTangentsFindTheShapeAtRestInFewerSteps) {
+  for (const char* name : {"inverted", "flattened"}) {
+    const std::string scene = stress_scene(name, "stable_neo_hookean");
+    const int shifted = run_stress(scene)["solver"]["newton_iterations"];
+    const nlohmann::json projected =
+        run_stress(replaced_once(scene, "[solver]", "[solver]\nproject = \"on_demand\""))["solver"];
+    EXPECT_LT(projected["newton_iterations"], shifted / 2) << name;
+    EXPECT_GT(projected["projections"], 0) << name;
+    EXPECT_LT(projected["energy"], 1e-4) << name;
   }
 }
 
