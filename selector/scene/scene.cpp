@@ -87,6 +87,25 @@ BarDescription read_bar(const TomlTable& table, int dim) {
   return bar;
 }
 
+SphereDescription read_sphere(const TomlTable& table) {
+  table.allow_only({"inner", "outer", "cells", "association", "region"});
+  SphereDescription sphere;
+  sphere.inner = table.number("inner", positive_number);
+  sphere.outer = table.number("outer", positive_number);
+  if (sphere.outer <= sphere.inner) {
+    table.fail("outer", fmt::format("must be greater than inner, {}", sphere.inner));
+  }
+  const std::vector<int> cells = table.integers("cells", 2, 1);
+  std::copy(cells.begin(), cells.end(), sphere.cells.begin());
+  sphere.cells_where = table.where("cells");
+  sphere.association = read_association(table);
+  check_dimension(table, sphere.association, 3);
+  sphere.association_where = table.where("association");
+  sphere.region = table.string("region");
+  sphere.region_where = table.where("region");
+  return sphere;
+}
+
 BlockDescription read_block(const TomlTable& table, int dim) {
   table.allow_only({"association", "region", "elements"});
   BlockDescription block;
@@ -256,6 +275,7 @@ MeasureSettings read_measure(const TomlTable& scene, bool has_solid_bar) {
 
 /// A bar without width is plane, a mesh is what its first block is.
 int dimension_of(const TomlTable& scene) {
+  if (scene.has("sphere")) return 3;
   if (scene.has("bar")) return scene.table("bar").has("width") ? 3 : 2;
   const TomlTable mesh = scene.table("mesh");
   if (mesh.has("file")) return read_mesh_file_table(mesh).dim;
@@ -277,8 +297,9 @@ ReferenceDescription read_reference(const TomlTable& table) {
 
 Scene read_scene(const std::filesystem::path& file) {
   const TomlTable table = TomlTable::open(file);
-  table.allow_only({"title", "laws", "gravity", "bar", "mesh", "material", "constraint", "load",
-                    "probe", "dynamics", "start", "solver", "measure", "output", "reference"});
+  table.allow_only({"title", "laws", "gravity", "bar", "sphere", "mesh", "material", "constraint",
+                    "load", "probe", "dynamics", "start", "solver", "measure", "output",
+                    "reference"});
   Scene scene;
   scene.file = file;
   scene.title = table.has("title") ? table.string("title") : file.stem().string();
@@ -291,12 +312,13 @@ Scene read_scene(const std::filesystem::path& file) {
       }
     }
   }
-  if (table.has("bar") == table.has("mesh")) {
-    table.fail("a scene needs either a [bar] or a [mesh], and not both");
+  if (table.has("bar") + table.has("sphere") + table.has("mesh") != 1) {
+    table.fail("a scene needs a [bar], a [sphere] or a [mesh], and only one of them");
   }
   scene.dim = dimension_of(table);
   if (table.has("gravity")) scene.gravity = table.vector("gravity", scene.dim);
   if (table.has("bar")) scene.bar = read_bar(table.table("bar"), scene.dim);
+  if (table.has("sphere")) scene.sphere = read_sphere(table.table("sphere"));
   if (table.has("mesh")) {
     const TomlTable mesh = table.table("mesh");
     if (mesh.has("file")) {

@@ -38,6 +38,17 @@ struct BarDescription {
   std::vector<SectionDescription> sections;
 };
 
+/// The part x, y, z >= 0 of a thick sphere about the origin, cut into elements of one kind.
+struct SphereDescription {
+  double inner = 0, outer = 0;  ///< radii [m], inner < outer
+  std::array<int, 2> cells{};   ///< along an edge of the surface (make_sphere), in layers
+  std::string cells_where;
+  symgen::AssociationId association;
+  std::string association_where;
+  std::string region;
+  std::string region_where;
+};
+
 /// Elements written out by hand.
 struct BlockDescription {
   std::string path;  ///< "mesh.block[1]"
@@ -116,7 +127,8 @@ struct Scene {
   std::vector<std::filesystem::path> law_files;
   int dim = 3;  ///< 2: a plane scene, in plane strain; vectors have a last component of 0
   std::array<double, 3> gravity{};
-  std::optional<BarDescription> bar;  ///< a scene has a bar, a mesh or a mesh file
+  std::optional<BarDescription> bar;  ///< a scene has a bar, a sphere, a mesh or a mesh file
+  std::optional<SphereDescription> sphere;
   std::optional<ExplicitMeshDescription> mesh;
   std::optional<MeshFileDescription> mesh_file;
   std::vector<MaterialDescription> materials;

@@ -5,6 +5,7 @@
 #include "selector/scene/bar_mesh.h"
 #include "selector/scene/explicit_mesh.h"
 #include "selector/scene/file_mesh.h"
+#include "selector/scene/sphere_mesh.h"
 
 namespace elastogen::selector {
 
@@ -17,6 +18,7 @@ std::int32_t region_number(Mesh& mesh, const std::string& name) {
 
 SceneMesh make_mesh(const Scene& scene) {
   if (scene.mesh_file) return make_file_mesh(*scene.mesh_file);
+  if (scene.sphere) return make_sphere(*scene.sphere);
   return scene.bar ? make_bar(*scene.bar) : make_explicit_mesh(*scene.mesh);
 }
 

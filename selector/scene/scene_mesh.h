@@ -1,4 +1,4 @@
-// From a scene's bar, hand-written elements or mesh file to a checked mesh.
+// From a scene's bar, sphere, hand-written elements or mesh file to a checked mesh.
 #pragma once
 
 #include <cstddef>
@@ -28,8 +28,8 @@ struct SceneMesh {
   std::vector<double> section_x;  ///< grid planes of a bar; else empty
   std::vector<std::vector<std::int32_t>> section_nodes;  ///< their nodes
   std::size_t split_quadrilaterals = 0;                  ///< quadrilaterals that meet two triangles
-  std::vector<MeshBoundary> boundaries;                  ///< of a mesh file; so are those below
-  std::vector<std::uint64_t> element_numbers;            ///< the file's
+  std::vector<MeshBoundary> boundaries;                  ///< of a sphere or a mesh file
+  std::vector<std::uint64_t> element_numbers;            ///< the mesh file's; so is the next
   std::vector<std::string> notes;                        ///< what was left out or mended
 };
 

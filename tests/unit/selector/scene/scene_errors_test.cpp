@@ -186,7 +186,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"BarAndMesh",
                 "[bar]",
                 "[mesh]\nnodes = []\n[bar]",
-                {"a scene needs either a [bar] or a [mesh]"}},
+                {"a scene needs a [bar], a [sphere] or a [mesh]"}},
         Mistake{"ProbesOfOneName",
                 "[[constraint]]",
                 "[[probe]]\nname = \"a\"\nplane = { x = 0 }\n[[probe]]\nname = \"a\"\n"

@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(
                     {"dynamics.rest: the key 'period' is missing"}},
         StepMistake{"StaticKeysOfAMotion",
                     IMPLICIT "[solver]\nload_steps = 3",
-                    {"unknown key 'solver.load_steps'", "may have: method, threads"}},
+                    {"unknown key 'solver.load_steps'", "may have: method, project, threads"}},
         StepMistake{"MethodOfAnExplicitScheme",
                     EXPLICIT "[solver]\nmethod = \"cg\"",
                     {"unknown key 'solver.method'", "may have: threads"}},
