@@ -82,7 +82,8 @@ std::vector<double> read_displacement(const fs::path& file, std::size_t num_node
 }
 
 /// Iterations and the solver's name, from lines such as " iteration 3" and
-/// " Factoring the system of equations using the symmetric spooles solver".
+/// " Factoring the system of equations using the symmetric spooles solver" or
+/// "Solving the system of equations using the iterative solver".
 void read_output(const std::string& output, CalculixResult& result) {
   for_each_line(output, [&](std::string_view line) {
     line = skip_blanks(line);
@@ -90,10 +91,11 @@ void read_output(const std::string& output, CalculixResult& result) {
         line.find_first_not_of("0123456789 ", 10) == std::string_view::npos) {
       ++result.iterations;
     }
-    const std::string_view symmetric = "using the symmetric ";
-    const std::size_t name = line.find(symmetric);
-    if (name != std::string_view::npos) {
-      line.remove_prefix(name + symmetric.size());
+    const std::string_view before = "system of equations using the ", symmetric = "symmetric ";
+    const std::size_t found = line.find(before);
+    if (found != std::string_view::npos) {
+      line.remove_prefix(found + before.size());
+      if (line.starts_with(symmetric)) line.remove_prefix(symmetric.size());
       result.solver = line.substr(0, line.find(" solver"));
     }
   });

@@ -118,6 +118,25 @@ TEST(Calculix, AppliesNodalForces) {
   EXPECT_EQ(result.iterations, 1);
 }
 
+TEST(Calculix, HeedsToleranceIncrementsAndSolver) {
+  if (!have_calculix()) GTEST_SKIP() << "ccx is not installed";
+  const TemporaryFolder folder;
+  const Mesh mesh = beam_mesh("hexa8", {12, 2, 2});
+  CalculixProblem problem = cantilever(mesh, "C3D8");
+  const CalculixResult usual = run_calculix(problem, folder.path(), "beam");
+  problem.tolerance = 1e-9;
+  const CalculixResult sharp = run_calculix(problem, folder.path(), "beam");
+  EXPECT_GT(sharp.iterations, usual.iterations);
+  problem.increments = 5;
+  const CalculixResult slow = run_calculix(problem, folder.path(), "beam");
+  EXPECT_GE(slow.iterations, sharp.iterations + 5);
+  EXPECT_NEAR(mean_tip(mesh, slow), mean_tip(mesh, sharp), 1e-6);
+  problem.equation_solver = "ITERATIVE CHOLESKY";
+  const CalculixResult iterative = run_calculix(problem, folder.path(), "beam");
+  EXPECT_EQ(iterative.solver, "iterative");
+  EXPECT_NEAR(mean_tip(mesh, iterative), mean_tip(mesh, sharp), 1e-4);
+}
+
 TEST(Calculix, TellsWhyItFailed) {
   if (!have_calculix()) GTEST_SKIP() << "ccx is not installed";
   const TemporaryFolder folder;
