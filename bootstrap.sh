@@ -10,7 +10,8 @@ packages=(
   g++ cmake ninja-build pkg-config
   libginac-dev libcln-dev         # generator
   libeigen3-dev libfmt-dev        # runtime
-  libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libvtk9-dev libgmsh-dev gnuplot-nox  # command line
+  libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libvtk9-dev libgmsh-dev
+  libsqlite3-dev gnuplot-nox      # command line
 )
 test_packages=(libgtest-dev ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd)
 
