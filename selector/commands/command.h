@@ -18,6 +18,9 @@
 
 namespace elastogen::selector {
 
+/// Exit status of a run that Ctrl-C ended; its results are written and valid.
+inline constexpr int exit_interrupted = 130;
+
 /// Options before the command, and what the command line chose.
 struct Context {
   std::vector<std::filesystem::path> user_law_folders;  ///< --laws, searched first

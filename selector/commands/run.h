@@ -5,9 +5,6 @@
 
 namespace elastogen::selector {
 
-/// Exit status of a run that Ctrl-C ended; its results are written and valid.
-inline constexpr int exit_interrupted = 130;
-
 /// `run SCENE [--out DIR] [--cells NXxNYxNZ] [--json]`. Exit status: 0 converged, 1 not converged
 /// (what was computed is written), 130 ended by Ctrl-C at the next iteration (likewise).
 void add_run_command(CLI::App& app, Context& context);

@@ -21,23 +21,48 @@ namespace {
 /// How far outside a cell a point may lie, as a part of the body's size: rounding.
 constexpr double tolerance = 1e-9;
 
+/// A file's cells and their point data "displacement".
+struct ResultGrid {
+  explicit ResultGrid(const std::filesystem::path& file) {
+    reader->SetFileName(file.c_str());
+    if (!std::filesystem::is_regular_file(file) || !reader->CanReadFile(file.c_str())) {
+      throw InputError(fmt::format("{}: is no VTU file that can be read", file.string()));
+    }
+    reader->Update();
+    grid = reader->GetOutput();
+    displacement = grid->GetPointData()->GetArray("displacement");
+    if (!displacement || displacement->GetNumberOfComponents() != 3 ||
+        grid->GetNumberOfCells() == 0) {
+      throw InputError(
+          fmt::format("{}: has no cells with the point data 'displacement'", file.string()));
+    }
+  }
+
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  vtkUnstructuredGrid* grid = nullptr;
+  vtkDataArray* displacement = nullptr;
+};
+
 }  // namespace
+
+ResultField read_result_field(const std::filesystem::path& file) {
+  const ResultGrid result(file);
+  ResultField field;
+  for (vtkIdType node = 0; node < result.grid->GetNumberOfPoints(); ++node) {
+    std::array<double, 3> at{};
+    result.grid->GetPoint(node, at.data());
+    field.positions.insert(field.positions.end(), at.begin(), at.end());
+    result.displacement->GetTuple(node, at.data());
+    field.displacements.insert(field.displacements.end(), at.begin(), at.end());
+  }
+  return field;
+}
 
 std::vector<double> displacements_at(const std::filesystem::path& file,
                                      std::span<const double> positions, int dim) {
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->SetFileName(file.c_str());
-  if (!std::filesystem::is_regular_file(file) || !reader->CanReadFile(file.c_str())) {
-    throw InputError(fmt::format("{}: is no VTU file that can be read", file.string()));
-  }
-  reader->Update();
-  vtkUnstructuredGrid* grid = reader->GetOutput();
-  vtkDataArray* displacement = grid->GetPointData()->GetArray("displacement");
-  if (!displacement || displacement->GetNumberOfComponents() != 3 ||
-      grid->GetNumberOfCells() == 0) {
-    throw InputError(
-        fmt::format("{}: has no cells with the point data 'displacement'", file.string()));
-  }
+  const ResultGrid field(file);
+  vtkUnstructuredGrid* const grid = field.grid;
+  vtkDataArray* const displacement = field.displacement;
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(grid);
   locator->BuildLocator();

@@ -1,4 +1,4 @@
-// Displacements of another result file, at any point of its body at rest.
+// Displacements of a result file: as they are, and at any point of its body at rest.
 #pragma once
 
 #include <filesystem>
@@ -6,6 +6,16 @@
 #include <vector>
 
 namespace elastogen::selector {
+
+/// Of the nodes of a body, [3 * node + component], metres.
+struct ResultField {
+  std::vector<double> positions;  ///< at rest
+  std::vector<double> displacements;
+};
+
+/// The points of a .vtu file with their data "displacement", as `write_vtu` writes them.
+/// @throws InputError  a file that is missing, no VTU or without displacements
+[[nodiscard]] ResultField read_result_field(const std::filesystem::path& file);
 
 /// The point data "displacement" of a .vtu file as `write_vtu` writes them, at points of the body
 /// at rest: in each cell by its linear shape functions, as VTK has them (of pyramids not exactly

@@ -1,0 +1,339 @@
+#include "selector/bench/work_precision.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "runtime/error.h"
+#include "selector/bench/calculix_scene.h"
+#include "selector/bench/pareto.h"
+#include "selector/bench/results_database.h"
+#include "selector/bench/scene_process.h"
+#include "selector/bench/thesis_beams.h"
+#include "selector/bench/work_precision_report.h"
+#include "selector/io/atomic_file.h"
+#include "selector/jit/compiler.h"
+#include "selector/support/files.h"
+#include "selector/support/names.h"
+#include "symgen/emit/content_hash.h"
+
+namespace elastogen::selector {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double calculix_tolerance = 1e-6;  // largest residual over the mean force
+
+std::string processor_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown processor";
+}
+
+BenchRun this_run(const WorkPrecisionOptions& options) {
+  const Compiler compiler = find_compiler();
+  const std::string version = compiler.version.substr(0, compiler.version.find('\n'));
+  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  return {
+      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(now))),
+      processor_name(), options.threads,
+      fmt::format("{} {}", version, fmt::join(compiler.flags, " ")), ELASTOGEN_VERSION};
+}
+
+std::string file_name(const std::string& problem, const WorkPrecisionChoice& choice) {
+  return fmt::format("{}_{}_{}_{}_{:g}", problem, choice.association.text(), choice.resolution(),
+                     choice.solver, choice.tolerance);
+}
+
+WorkPrecisionPoint start_point(const std::string& problem, const WorkPrecisionChoice& choice) {
+  WorkPrecisionPoint point;
+  point.problem = problem;
+  point.program = "elastogen";
+  point.association = choice.association.text();
+  point.law = choice.association.law;
+  point.element = choice.association.element;
+  point.quadrature = choice.association.quadrature;
+  point.resolution = choice.resolution();
+  point.solver = choice.solver;
+  point.tolerance = choice.tolerance;
+  return point;
+}
+
+class Benchmark {
+ public:
+  explicit Benchmark(const WorkPrecisionOptions& options)
+      : options_(options),
+        database_(options.out / "work_precision.sqlite"),
+        run_(this_run(options)) {
+    database_.begin_run(run_);
+  }
+
+  WorkPrecisionOutcome run();
+
+ private:
+  using Choices = std::vector<WorkPrecisionChoice>;
+  /// What runs of growing meshes have in common.
+  using Series = std::tuple<std::string, std::string, double>;
+
+  void run_problem(const WorkPrecisionProblem& problem);
+  void run_elastogen(const WorkPrecisionProblem& problem, const Choices& choices);
+  void run_calculix(const WorkPrecisionProblem& problem, const Choices& choices);
+  void measure(const WorkPrecisionProblem& problem, const WorkPrecisionChoice& choice,
+               std::set<Series>& too_slow);
+  void measure_calculix(const WorkPrecisionProblem& problem, const WorkPrecisionChoice& choice,
+                        const std::string& element_type, std::set<Series>& too_slow);
+  const SolvedScene* reference_of(const WorkPrecisionProblem& problem, const std::string& law);
+  bool has_point(const WorkPrecisionPoint& point, const std::string& hash);
+  void keep(const WorkPrecisionPoint& point, const std::string& hash);
+  void report(const std::vector<std::unique_ptr<WorkPrecisionProblem>>& problems);
+
+  [[nodiscard]] fs::path write_scene(const std::string& name, const std::string& text) const {
+    const fs::path file = options_.out / "scenes" / (name + ".toml");
+    write_text_file(file, text);
+    return file;
+  }
+  /// Of a scene, and all else that the figures depend on.
+  [[nodiscard]] std::string hash_of(const std::string& text) const {
+    const std::string threads = std::to_string(options_.threads);
+    return symgen::content_hash({text, run_.version, run_.processor, run_.compiler, threads});
+  }
+  [[nodiscard]] SceneProcess process(const fs::path& results) const {
+    return {results, options_.threads, options_.runs, options_.time_limit, options_.law_folders};
+  }
+
+  const WorkPrecisionOptions& options_;
+  ResultsDatabase database_;
+  BenchRun run_;
+  WorkPrecisionOutcome outcome_;
+  std::map<std::pair<std::string, std::string>, SolvedScene> references_;  // by problem and law
+  std::vector<std::string> thesis_;                                        // sections of the page
+  std::size_t done_ = 0, total_ = 0;                                       // points of a problem
+};
+
+WorkPrecisionOutcome Benchmark::run() {
+  const auto problems = work_precision_problems(options_.law_folders);
+  std::vector<std::string> names;
+  for (const auto& problem : problems) names.push_back(problem->text().problem);
+  for (const std::string& name : options_.problems) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    throw InputError(fmt::format("there is no problem '{}'{}; there are: {}", name,
+                                 did_you_mean(name, names), join(names, ", ")));
+  }
+  if (options_.calculix && !have_calculix()) {
+    options_.tell("CalculiX is not installed (Debian: calculix-ccx): without its points");
+  }
+  for (const auto& problem : problems) {
+    const auto& wanted = options_.problems;
+    const std::string& name = problem->text().problem;
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
+    if (!options_.interrupted()) run_problem(*problem);
+    report(problems);
+  }
+  if (options_.interrupted()) outcome_.status = WorkPrecisionStatus::interrupted;
+  return outcome_;
+}
+
+void Benchmark::run_problem(const WorkPrecisionProblem& problem) {
+  const Choices choices = problem.choices(options_.selection);
+  if (choices.empty()) return;
+  done_ = 0;
+  total_ = choices.size();
+  run_elastogen(problem, choices);
+  if (options_.calculix && have_calculix() && problem.measures_displacements()) {
+    run_calculix(problem, choices);
+  }
+  if (options_.thesis && problem.text().problem == "bending" && !options_.interrupted()) {
+    thesis_ = thesis_sections_of(
+        {options_.out / "thesis", process({}), options_.tell, options_.interrupted});
+  }
+}
+
+void Benchmark::run_elastogen(const WorkPrecisionProblem& problem, const Choices& choices) {
+  std::set<Series> too_slow;
+  for (const WorkPrecisionChoice& choice : choices) {
+    if (options_.interrupted()) return;
+    ++done_;
+    measure(problem, choice, too_slow);
+  }
+}
+
+const SolvedScene* Benchmark::reference_of(const WorkPrecisionProblem& problem,
+                                           const std::string& law) {
+  const std::string& name = problem.text().problem;
+  const std::optional<WorkPrecisionChoice> choice = problem.reference(law);
+  if (!choice) return nullptr;
+  const auto known = references_.find({name, law});
+  if (known != references_.end()) return &known->second;
+
+  const fs::path folder = options_.out / "references" / (name + "_" + law);
+  const std::string text = problem.scene(*choice);
+  const fs::path scene = folder / "scene.toml";
+  const bool solved = fs::exists(scene) && fs::exists(folder / "summary.json") &&
+                      read_text_file(scene, "scene") == text;
+  if (!solved) {
+    options_.tell(fmt::format("{}: the reference of {}: {} {}", name, law,
+                              choice->association.text(), choice->resolution()));
+    fs::remove(folder / "summary.json");
+    write_text_file(scene, text);
+    SceneProcess how = process(folder);
+    how.time_limit = 0;
+    how.runs = 1;
+    how.threads = 0;
+    WorkPrecisionPoint unused;
+    (void)run_scene(scene, how, unused);
+  }
+  return &references_.emplace(std::pair(name, law), read_solved_scene(folder)).first->second;
+}
+
+bool Benchmark::has_point(const WorkPrecisionPoint& point, const std::string& hash) {
+  if (!database_.find({point.problem, point.program, point.association, point.resolution,
+                       point.solver, point.tolerance, hash})) {
+    return false;
+  }
+  ++outcome_.kept;
+  return true;
+}
+
+void Benchmark::keep(const WorkPrecisionPoint& point, const std::string& hash) {
+  database_.insert(point, hash);
+  ++outcome_.measured;
+  outcome_.failed += point.succeeded() ? 0 : 1;
+  const std::string what =
+      fmt::format("{} {}/{}  {} {} {} {:g}", point.problem, done_, total_, point.association,
+                  point.resolution, point.solver, point.tolerance);
+  options_.tell(point.succeeded()
+                    ? fmt::format("{}: error {:.3g} %, {:.3g} s ({:.3g} s solve)", what,
+                                  100 * point.error, point.process_seconds, point.solve_seconds)
+                    : fmt::format("{}: {}", what, point.failure));
+}
+
+void Benchmark::measure(const WorkPrecisionProblem& problem, const WorkPrecisionChoice& choice,
+                        std::set<Series>& too_slow) {
+  const std::string& name = problem.text().problem;
+  WorkPrecisionPoint point = start_point(name, choice);
+  const Series series{point.association, point.solver, point.tolerance};
+  const std::string text = problem.scene(choice), hash = hash_of(text);
+  if (too_slow.contains(series) || has_point(point, hash)) return;
+
+  const SolvedScene* reference = reference_of(problem, point.law);
+  const fs::path scene = write_scene(file_name(name, choice), text);
+  point.scene = fs::relative(scene, options_.out).string();
+  try {
+    const SolvedScene solved = run_scene(scene, process(options_.out / "last_run"), point);
+    const Measurement measurement = problem.measure(choice, solved, reference);
+    point.value = measurement.value;
+    point.error = measurement.error;
+  } catch (const TookTooLong& error) {
+    too_slow.insert(series);
+    point.failure = error.what();
+  } catch (const WorkError& error) {
+    point.failure = error.what();
+  }
+  // Ctrl-C ends the process that is measured, too: that is no figure.
+  if (!options_.interrupted()) keep(point, hash);
+}
+
+void Benchmark::run_calculix(const WorkPrecisionProblem& problem, const Choices& choices) {
+  std::set<Series> too_slow;
+  std::set<std::string> seen;  // solver, tolerance and quadrature are ours, not CalculiX's
+  for (const WorkPrecisionChoice& choice : choices) {
+    const auto& [law, element] = std::tie(choice.association.law, choice.association.element);
+    if (!calculix_has_law(law)) continue;
+    for (const std::string& type : calculix_elements(element)) {
+      if (options_.interrupted()) return;
+      if (!seen.insert(fmt::format("{} {} {}", law, type, choice.resolution())).second) continue;
+      measure_calculix(problem, choice, type, too_slow);
+    }
+  }
+}
+
+void Benchmark::measure_calculix(const WorkPrecisionProblem& problem,
+                                 const WorkPrecisionChoice& choice, const std::string& element_type,
+                                 std::set<Series>& too_slow) {
+  const std::string& name = problem.text().problem;
+  WorkPrecisionPoint point = start_point(name, choice);
+  point.program = "calculix";
+  point.association = choice.association.law + " " + element_type;
+  point.element = element_type;
+  point.quadrature.clear();
+  point.solver = "spooles";
+  point.tolerance = calculix_tolerance;
+  const Series series{point.association, point.solver, point.tolerance};
+  if (too_slow.contains(series)) return;
+
+  const fs::path scene_file = write_scene(file_name(name, choice), problem.scene(choice));
+  const Scene scene = read_scene(scene_file);
+  const Problem prepared = prepare(scene, options_.law_folders);
+  const TomlTable& material = scene.materials.front().table;
+  CalculixProblem deck =
+      calculix_problem(scene, prepared, element_type, material.number("young", positive_number),
+                       material.number("poisson", any_number));
+  deck.tolerance = calculix_tolerance;
+  deck.threads = options_.threads;
+  deck.time_limit = options_.time_limit;
+  const std::string hash = hash_of(calculix_deck(deck));
+  if (has_point(point, hash)) return;
+
+  const SolvedScene* reference = reference_of(problem, choice.association.law);
+  const std::string deck_name = fmt::format("{}_{}_{}", name, element_type, point.resolution);
+  point.scene = (fs::path("decks") / (deck_name + ".inp")).string();
+  point.num_elements = prepared.mesh.mesh.num_elements();
+  point.num_dofs = prepared.constraints.num_dofs();
+  try {
+    std::vector<std::pair<double, double>> times;  // wall, CPU
+    SolvedScene solved;
+    do {
+      CalculixResult result =
+          elastogen::selector::run_calculix(deck, options_.out / "decks", deck_name);
+      times.emplace_back(result.wall_seconds, result.cpu_seconds);
+      point.solver = result.solver;
+      solved.displacements = std::move(result.displacement);
+    } while (static_cast<int>(times.size()) < options_.runs && times.back().first < 2);
+    std::sort(times.begin(), times.end());
+    point.runs = static_cast<int>(times.size());
+    std::tie(point.process_seconds, point.cpu_seconds) = times[times.size() / 2];
+    point.process_seconds_min = times.front().first;
+    solved.positions = prepared.mesh.mesh.positions;
+    const Measurement measurement = problem.measure(choice, solved, reference);
+    point.value = measurement.value;
+    point.error = measurement.error;
+  } catch (const WorkError& error) {
+    too_slow.insert(series);
+    point.failure = error.what();
+  }
+  if (!options_.interrupted()) keep(point, hash);
+}
+
+void Benchmark::report(const std::vector<std::unique_ptr<WorkPrecisionProblem>>& problems) {
+  const std::vector<WorkPrecisionPoint> points = database_.points();
+  write_points_csv(options_.out / "work_precision.csv", points);
+  std::vector<ProblemText> texts;
+  outcome_.sentences.clear();
+  for (const auto& problem : problems) {
+    texts.push_back(problem->text());
+    std::vector<WorkPrecisionPoint> own;
+    std::copy_if(points.begin(), points.end(), std::back_inserter(own),
+                 [&](const auto& point) { return point.problem == problem->text().problem; });
+    for (const std::string& sentence : work_precision_sentences(own)) {
+      outcome_.sentences.push_back(problem->text().title + ": " + sentence);
+    }
+  }
+  outcome_.page = options_.out / "work_precision.html";
+  write_text_file(outcome_.page, work_precision_html(points, texts, run_, thesis_));
+}
+
+}  // namespace
+
+WorkPrecisionOutcome run_work_precision(const WorkPrecisionOptions& options) {
+  return Benchmark(options).run();
+}
+
+}  // namespace elastogen::selector
