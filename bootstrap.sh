@@ -11,7 +11,7 @@ packages=(
   libginac-dev libcln-dev         # generator
   libeigen3-dev libfmt-dev        # runtime
   libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libvtk9-dev libgmsh-dev
-  libsqlite3-dev gnuplot-nox      # command line
+  libsqlite3-dev libsuitesparse-dev libopenblas0-serial gnuplot-nox      # command line
 )
 test_packages=(libgtest-dev ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd)
 

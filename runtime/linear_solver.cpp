@@ -15,7 +15,7 @@ std::string_view projection_name(TangentProjection projection) {
 std::unique_ptr<LinearSolver> make_linear_solver(const LinearSolverOptions& options, Model& model,
                                                  const Constraints& constraints) {
   if (options.kind == LinearSolverKind::cholesky) {
-    return std::make_unique<SparseCholesky>(model, constraints);
+    return std::make_unique<SparseCholesky>(model, constraints, options.cholesky());
   }
   return std::make_unique<ConjugateGradient>(model, constraints, options.max_iterations);
 }

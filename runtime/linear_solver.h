@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 
+#include "runtime/cholesky_factor.h"
 #include "runtime/constraints.h"
 #include "runtime/model.h"
 #include "runtime/vector.h"
@@ -18,12 +19,13 @@ namespace elastogen {
 
 enum class LinearSolverKind {
   conjugate_gradient,  ///< on the model's product, preconditioned by the nodes' blocks of K
-  cholesky,            ///< sparse LL^T of the assembled K
+  cholesky,            ///< of the assembled K
 };
 
 struct LinearSolverOptions {
   LinearSolverKind kind = LinearSolverKind::conjugate_gradient;
   int max_iterations = 0;  ///< of one conjugate gradient solve; 0: ten per free degree of freedom
+  MakeCholeskyFactor cholesky = std::make_unique<SimplicialCholesky>;
 };
 
 /// Whether the tangent's element matrices are projected to positive semi-definite ones

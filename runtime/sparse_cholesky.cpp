@@ -1,35 +1,21 @@
 #include "runtime/sparse_cholesky.h"
 
-#include <Eigen/OrderingMethods>
 #include <algorithm>
 #include <utility>
 
 #include "runtime/stopwatch.h"
 
 namespace elastogen {
-namespace {
-
-// Flops of a factorisation, from its symbolic part.
-template <class Ordering>
-class CountingCholesky
-    : public Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Ordering> {
- public:
-  [[nodiscard]] double count(const Eigen::SparseMatrix<double>& matrix) {
-    this->analyzePattern(matrix);
-    return this->m_nonZerosPerCol.template cast<double>().squaredNorm();
-  }
-};
-
-}  // namespace
-
-SparseCholesky::SparseCholesky(Model& model, const Constraints& constraints)
+SparseCholesky::SparseCholesky(Model& model, const Constraints& constraints,
+                               std::unique_ptr<CholeskyFactor> factor)
     : model_(model),
       free_numbers_(constraints.free_numbers()),
       diagonal_(Vector::Zero(static_cast<Eigen::Index>(model.num_dofs()))),
       free_b_(static_cast<Eigen::Index>(constraints.num_free())),
-      free_x_(free_b_.size()) {}
+      free_x_(free_b_.size()),
+      factor_(std::move(factor)) {}
 
-// Lower triangle of the free part of stiffness_ in the present numbers, and where its values are.
+// Lower triangle of the free part of stiffness_ and where its values are.
 void SparseCholesky::find_pattern() {
   using Entry = std::pair<int, std::int32_t>;  // row, value of stiffness_
   std::vector<std::vector<Entry>> columns(static_cast<std::size_t>(free_b_.size()));
@@ -64,22 +50,6 @@ void SparseCholesky::find_pattern() {
   }
 }
 
-// Takes the mesh's own numbers or a minimum degree ordering, whichever costs fewer flops: long
-// bodies numbered section by section do better as they are.
-void SparseCholesky::choose_ordering() {
-  find_pattern();
-  const double natural = CountingCholesky<Eigen::NaturalOrdering<int>>().count(free_matrix_);
-  CountingCholesky<Eigen::AMDOrdering<int>> minimum_degree;
-  if (minimum_degree.count(free_matrix_) < natural) {
-    const auto& permutation = minimum_degree.permutationP().indices();
-    for (std::int32_t& number : free_numbers_) {
-      if (number >= 0) number = permutation[number];
-    }
-    find_pattern();
-  }
-  factor_.analyzePattern(free_matrix_);
-}
-
 void SparseCholesky::update() {
   {
     const Stopwatch watch(times_.assembly);
@@ -89,7 +59,8 @@ void SparseCholesky::update() {
   }
   if (sources_.empty()) {
     const Stopwatch watch(times_.factorization);
-    choose_ordering();
+    find_pattern();
+    factor_->analyze(free_matrix_);
   }
 }
 
@@ -110,8 +81,7 @@ bool SparseCholesky::set_shift(double shift) {
       free_matrix_.valuePtr()[value] += added[static_cast<Eigen::Index>(dof)];
     }
   }
-  factor_.factorize(free_matrix_);
-  return factor_.info() == Eigen::Success;
+  return factor_->factorize(free_matrix_);
 }
 
 LinearSolveReport SparseCholesky::solve(const ConstVectorRef& b, double, VectorRef x) {
@@ -120,7 +90,7 @@ LinearSolveReport SparseCholesky::solve(const ConstVectorRef& b, double, VectorR
   for (std::size_t dof = 0; dof < free_numbers_.size(); ++dof) {
     if (free_numbers_[dof] >= 0) free_b_[free_numbers_[dof]] = b[static_cast<Eigen::Index>(dof)];
   }
-  free_x_ = factor_.solve(free_b_);
+  factor_->solve(free_b_, free_x_);
   x.setZero();
   for (std::size_t dof = 0; dof < free_numbers_.size(); ++dof) {
     if (free_numbers_[dof] >= 0) x[static_cast<Eigen::Index>(dof)] = free_x_[free_numbers_[dof]];

@@ -1,17 +1,19 @@
 // Sparse L L^T of the assembled stiffness on the free degrees of freedom.
 #pragma once
 
-#include <Eigen/SparseCholesky>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "runtime/cholesky_factor.h"
 #include "runtime/linear_solver.h"
 
 namespace elastogen {
 
 class SparseCholesky final : public LinearSolver {
  public:
-  SparseCholesky(Model& model, const Constraints& constraints);
+  SparseCholesky(Model& model, const Constraints& constraints,
+                 std::unique_ptr<CholeskyFactor> factor);
 
   void update() override;
   [[nodiscard]] bool set_shift(double shift) override;
@@ -22,7 +24,6 @@ class SparseCholesky final : public LinearSolver {
   using Matrix = Eigen::SparseMatrix<double>;
 
   void find_pattern();
-  void choose_ordering();
 
   Model& model_;
   std::vector<std::int32_t> free_numbers_;     // [dof] row in free_matrix_, -1 where constrained
@@ -32,8 +33,7 @@ class SparseCholesky final : public LinearSolver {
   std::vector<std::int32_t> diagonal_values_;  // [free]: its diagonal in free_matrix_
   Vector diagonal_;
   Vector free_b_, free_x_;
-  // Natural: free_numbers_ holds the ordering.
-  Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor_;
+  std::unique_ptr<CholeskyFactor> factor_;
 };
 
 }  // namespace elastogen

@@ -21,7 +21,7 @@ class Sphere : public WorkPrecisionProblem {
  public:
   Sphere(bool large, std::vector<std::filesystem::path> law_folders)
       : large_(large),
-        pressure_(large ? 2.5e5 : 1e4),
+        pressure_(large ? 4e5 : 1e4),
         law_folders_(std::move(law_folders)),
         text_{large ? "sphere_large" : "sphere",
               large ? "Thick sphere, large strain" : "Thick sphere, small strain",

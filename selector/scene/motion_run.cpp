@@ -8,6 +8,7 @@
 
 #include "runtime/error.h"
 #include "runtime/stable_step.h"
+#include "selector/scene/best_cholesky.h"
 #include "selector/scene/located_error.h"
 #include "selector/scene/simulation.h"
 #include "selector/scene/start.h"
@@ -91,6 +92,7 @@ MotionPlan plan_motion(const Scene& scene, const Problem& problem, Model& model)
   const DynamicsDescription& dynamics = *scene.dynamics;
   MotionPlan plan{dynamics.options, 0, {}};
   plan.options.linear_solver.kind = scene.solver.method;
+  plan.options.linear_solver.cholesky = make_best_cholesky;
   if (scene.solver.projection) plan.options.projection = *scene.solver.projection;
   plan.options.step = dynamics.step.value_or(0);
   if (is_explicit(plan.options.scheme)) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "selector/scene/best_cholesky.h"
 #include "selector/scene/simulation.h"
 
 namespace elastogen::selector {
@@ -22,6 +23,7 @@ std::string progress_line(const NewtonProgress& progress) {
 NewtonOptions newton_options(const SolverSettings& solver) {
   NewtonOptions options;
   options.linear_solver.kind = solver.method;
+  options.linear_solver.cholesky = make_best_cholesky;
   if (solver.projection) options.projection = *solver.projection;
   options.tolerance = solver.tolerance;
   options.max_iterations = solver.max_iterations;
