@@ -8,7 +8,8 @@
 namespace elastogen::selector {
 
 /// One element type in both node orders. Gmsh's are drawn in its reference manual, "Node
-/// ordering"; ours are those of symgen/element (thesis, tables 3.1 to 3.3).
+/// ordering"; ours are those of symgen/element (thesis, tables 3.1 to 3.3; the
+/// quadratic elements as symgen/element/shapes.h says).
 struct GmshElement {
   std::int32_t type = 0;     ///< gmsh's number
   std::string_view element;  ///< "hexa8"
