@@ -9,11 +9,11 @@
 // quadrature   q8
 // split        none
 // profile      x86-cache
-// hash         23f5bcf2c90fcbe8f10d54fb45ea73fa
+// hash         c88d7ddd0c8b69104a63558cf8a2db03
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
 // general  constants             534         80      0         192      640          1
-// general  geometry             1176          0      0         192      128          1
+// general  geometry             1184          0      0         192      192          1
 // general  energy                801         80      0         832        8          1
 // general  forces               1402         80      0         832      192          1
 // general  product              1402         80      0         832      192          1
@@ -21,7 +21,7 @@
 // general  apply                1402         80      0         832      192          1
 // general  stiffness           33648          0      0           0     4608          1
 // box      constants               8          4      0          48       32          1
-// box      geometry               21          0      0          48      128          1
+// box      geometry               29          0      0          48      192          1
 // box      energy                409          4      0         224        8          1
 // box      forces                678          4      0         224      192          1
 // box      product               673          4      0         224      192          1
@@ -34,7 +34,7 @@
 
 namespace elastogen::kernels::hooke_hexa8_q8_none {
 
-inline constexpr char hash[] = "23f5bcf2c90fcbe8f10d54fb45ea73fa";
+inline constexpr char hash[] = "c88d7ddd0c8b69104a63558cf8a2db03";
 inline constexpr int dim = 3;
 inline constexpr int num_nodes = 8;
 inline constexpr int num_points = 8;
@@ -383,7 +383,7 @@ inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   out[79] = t417;
 }
 
-/// geometry: 1176 flops per element
+/// geometry: 1184 flops per element
 template <class V>
 inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -815,14 +815,22 @@ inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unuse
   out[5] = -S(1.901788268648709e-06) * t575;
   out[6] = S(3.0681988197283958e-08) * t576;
   out[7] = S(3.0681988197283958e-08) * t577;
-  out[8] = S(0.030081459556442799) * t599;
-  out[9] = S(0.030081459556442799) * t618;
-  out[10] = -S(0.0021597516247505075) * t637;
-  out[11] = -S(0.0021597516247505075) * t653;
-  out[12] = -S(0.00015506319006430711) * t672;
-  out[13] = -S(0.00015506319006430711) * t688;
-  out[14] = S(1.1133036149792012e-05) * t704;
-  out[15] = S(1.1133036149792012e-05) * t717;
+  out[8] = S(6.2873190648218037e-11) * t540;
+  out[9] = S(6.2873190648218037e-11) * t560;
+  out[10] = -S(0.00011788019066802267) * t566;
+  out[11] = -S(0.00011788019066802267) * t571;
+  out[12] = S(0.00092806877797709745) * t573;
+  out[13] = -S(1.901788268648709e-06) * t575;
+  out[14] = S(3.0681988197283958e-08) * t576;
+  out[15] = S(3.0681988197283958e-08) * t577;
+  out[16] = S(0.030081459556442799) * t599;
+  out[17] = S(0.030081459556442799) * t618;
+  out[18] = -S(0.0021597516247505075) * t637;
+  out[19] = -S(0.0021597516247505075) * t653;
+  out[20] = -S(0.00015506319006430711) * t672;
+  out[21] = -S(0.00015506319006430711) * t688;
+  out[22] = S(1.1133036149792012e-05) * t704;
+  out[23] = S(1.1133036149792012e-05) * t717;
 }
 
 /// energy: 801 flops per element
@@ -2659,7 +2667,7 @@ inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   out[3] = t7;
 }
 
-/// geometry: 21 flops per element
+/// geometry: 29 flops per element
 template <class V>
 inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -2686,6 +2694,14 @@ inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unuse
   out[13] = -S(0.125) * t4;
   out[14] = -S(0.125) * t4;
   out[15] = -S(0.125) * t4;
+  out[16] = -S(0.125) * t4;
+  out[17] = -S(0.125) * t4;
+  out[18] = -S(0.125) * t4;
+  out[19] = -S(0.125) * t4;
+  out[20] = -S(0.125) * t4;
+  out[21] = -S(0.125) * t4;
+  out[22] = -S(0.125) * t4;
+  out[23] = -S(0.125) * t4;
 }
 
 /// energy: 409 flops per element

@@ -9,11 +9,11 @@
 // quadrature   q1
 // split        none
 // profile      x86-cache
-// hash         b66cce7eb5beadcde62436800162600d
+// hash         60815e55c33a93ca767829ea9089d326
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
 // general  constants              51         10      0          96       80          1
-// general  geometry               27          0      0          96       40          1
+// general  geometry               31          0      0          96       72          1
 // general  energy                112         10      0         176        8          1
 // general  forces                239         10      0         176       96          1
 // general  product               422         10      0         272       96          1
@@ -26,7 +26,7 @@
 
 namespace elastogen::kernels::stvk_tet4_q1_none {
 
-inline constexpr char hash[] = "b66cce7eb5beadcde62436800162600d";
+inline constexpr char hash[] = "60815e55c33a93ca767829ea9089d326";
 inline constexpr int dim = 3;
 inline constexpr int num_nodes = 4;
 inline constexpr int num_points = 1;
@@ -84,7 +84,7 @@ inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   out[9] = t49;
 }
 
-/// geometry: 27 flops per element
+/// geometry: 31 flops per element
 template <class V>
 inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -107,7 +107,11 @@ inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unuse
   out[1] = S(0.041666666666666664) * t21;
   out[2] = S(0.041666666666666664) * t21;
   out[3] = S(0.041666666666666664) * t21;
-  out[4] = t21;
+  out[4] = S(0.041666666666666664) * t21;
+  out[5] = S(0.041666666666666664) * t21;
+  out[6] = S(0.041666666666666664) * t21;
+  out[7] = S(0.041666666666666664) * t21;
+  out[8] = t21;
 }
 
 /// energy: 112 flops per element

@@ -24,7 +24,9 @@
 //   kernel     reads                                              writes output
 //   constants  nodes positions parameters                         [k * stride + e], k < num_constants
 //   geometry   nodes positions                                    [k * stride + e], k < n: nodal
-//                                                                 volume, then det J of each point
+//                                                                 volume, k < 2 n: positive share
+//                                                                 of the volume for a diagonal
+//                                                                 mass, then det J of each point
 //   energy     nodes positions* parameters constants displacement [e]
 //   forces     ... and slots                                      partial, f = -dW/dU
 //   product    ... slots and direction                            partial, p = (df/dU) V

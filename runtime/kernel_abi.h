@@ -10,7 +10,9 @@
 //   energy    value[l]
 //   stiffness value[((a * d + i) * n * d + (b * d + j)) * L + l]
 //   geometry  value[k * L + l]: k < n: nodal volumes, integral of shape function k over the rest
-//             shape [m^d]; n <= k < n + num_points: Jacobian determinant at quadrature point k - n
+//             shape [m^d]; n <= k < 2 n: positive shares of the volume for a diagonal mass, of node
+//             k - n [m^d] (in linear elements the nodal volumes); 2 n <= k < 2 n + num_points:
+//             Jacobian determinant at quadrature point k - 2 n
 //   parameters value[k]                        uniform over the batch, in the law's order
 //
 // All arrays are aligned to 64 bytes. A batch that is not full repeats its last element in the
@@ -25,7 +27,7 @@
 
 namespace elastogen {
 
-inline constexpr std::uint32_t kernel_abi_version = 1;
+inline constexpr std::uint32_t kernel_abi_version = 2;
 
 /// Lanes of a SIMD batch: one 64-byte vector, 8 doubles or 16 floats. Tables of scalar kernels
 /// have 1 lane and the same layout.
@@ -64,7 +66,7 @@ struct KernelArguments {
 template <class Scalar>
 using KernelFunction = void (*)(const KernelArguments<Scalar>&);
 
-/// The kernels of one geometry variant ("general", "box") of an association.
+/// The kernels of one geometry variant ("general", "affine", "box") of an association.
 template <class Scalar>
 struct VariantTable {
   const char* geometry;

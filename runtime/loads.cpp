@@ -25,7 +25,7 @@ void add_gravity(const Model& model, std::span<const double> acceleration, Vecto
     throw InputError(fmt::format("gravity: {} components; must be {}", acceleration.size(), dim));
   }
   check_finite(acceleration, "gravity");
-  const std::span<const double> mass = model.lumped_mass();
+  const std::span<const double> mass = model.nodal_mass();
   for (std::size_t node = 0; node < mass.size(); ++node) {
     for (std::size_t i = 0; i < dim; ++i) {
       f[static_cast<Eigen::Index>(node * dim + i)] += mass[node] * acceleration[i];

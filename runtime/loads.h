@@ -9,8 +9,8 @@
 
 namespace elastogen {
 
-/// f += gravity as a consistent body load, f_a = integral of Lambda_a rho g over the rest shape =
-/// m_a g with the lumped mass m_a.
+/// f += gravity as a consistent body load, f_a = integral of Lambda_a rho g over the rest shape:
+/// the consistent mass of each node times g (Model::nodal_mass).
 ///
 /// @param acceleration  [m/s^2], dim finite components
 /// @throws InputError  for another number of components or one that is not finite

@@ -94,7 +94,7 @@ struct Model::Data {
   Eigen::SparseMatrix<double> stiffness;      // where has_stiffness()
   TangentForm form = TangentForm::exact;
   Vector displacement;  // linearisation point
-  std::vector<double> element_volumes, nodal_volumes, lumped_mass;
+  std::vector<double> element_volumes, nodal_volumes, nodal_mass, lumped_mass;
   ElementStatus status;
 
   [[nodiscard]] std::size_t num_dofs() const { return static_cast<std::size_t>(dim) * num_nodes; }
@@ -210,10 +210,11 @@ Model::Model(const Mesh& mesh, std::span<const ModelPart> parts, const ModelOpti
   d.num_nodes = mesh.num_nodes();
   d.num_elements = mesh.num_elements();
   d.nodal_volumes.assign(d.num_nodes, 0.0);
+  d.nodal_mass.assign(d.num_nodes, 0.0);
   d.lumped_mass.assign(d.num_nodes, 0.0);
   d.element_volumes.assign(d.num_elements, 0.0);
   for (ElementGroup& group : d.groups) {
-    measure_rest_shapes(group, {d.nodal_volumes, d.lumped_mass, d.element_volumes});
+    measure_rest_shapes(group, {d.nodal_volumes, d.nodal_mass, d.lumped_mass, d.element_volumes});
     compute_constants(group, d.threads);
     if (options.tangent_product == TangentProduct::two_stage) {
       group.state.resize(group.num_batches * static_cast<std::size_t>(group.lanes) *
@@ -242,6 +243,7 @@ TangentProduct Model::tangent_product() const { return data_->tangent_product; }
 const ElementStatus& Model::status() const { return data_->status; }
 std::span<const double> Model::element_volumes() const { return data_->element_volumes; }
 std::span<const double> Model::nodal_volumes() const { return data_->nodal_volumes; }
+std::span<const double> Model::nodal_mass() const { return data_->nodal_mass; }
 std::span<const double> Model::lumped_mass() const { return data_->lumped_mass; }
 
 double Model::energy(const ConstVectorRef& u) {

@@ -54,7 +54,7 @@ struct ModelOptions {
 struct GroupSummary {
   std::string association;  ///< "stvk-hexa8-q8-none"
   std::string element;      ///< "hexa8"
-  std::string geometry;     ///< "general", "box"
+  std::string geometry;     ///< "general", "affine", "box"
   std::size_t part = 0;     ///< index into the model's parts
   std::size_t num_elements = 0;
   std::size_t num_batches = 0;
@@ -76,9 +76,9 @@ struct GroupSummary {
 /// A model may be moved but not copied. Its calls share buffers: one at a time per model.
 class Model {
  public:
-  /// Checks the input, chooses each element's geometry variant ("box" for an axis-aligned box where
-  /// its association has that, else "general"), checks every rest shape and computes grouped
-  /// constants. The mesh is not kept.
+  /// Checks the input, chooses each element's geometry variant ("box" for an axis-aligned box,
+  /// "affine" for a tet10 with straight edges, where its association has that, else "general"),
+  /// checks every rest shape and computes grouped constants. The mesh is not kept.
   ///
   /// @throws InputError  a rest shape that is inverted or degenerate at a quadrature point, a node
   ///                     number outside the mesh, an element in no part or in two, a node without
@@ -137,7 +137,13 @@ class Model {
   /// Rest volume that belongs to each node: integral of its shape functions [m^dim].
   [[nodiscard]] std::span<const double> nodal_volumes() const;
 
-  /// Lumped mass of each node [kg]: density times nodal volume, summed over its elements.
+  /// Consistent mass of each node [kg]: density times nodal volume, summed over its elements. Body
+  /// loads act on it; it may be negative at the corners of quadratic elements.
+  [[nodiscard]] std::span<const double> nodal_mass() const;
+
+  /// Lumped mass of each node [kg], the inertia: positive, with the body's mass as its sum. For
+  /// linear elements the consistent mass; for quadratic ones each element's mass in proportion to
+  /// the diagonal of its mass matrix (Hinton, Rock & Zienkiewicz 1976).
   [[nodiscard]] std::span<const double> lumped_mass() const;
 
   /// The groups in the order they are computed.

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "runtime/error.h"
 #include "runtime/rest_geometry.h"
@@ -142,6 +144,22 @@ void check_cover(const Mesh& mesh, std::span<const ModelPart> parts) {
   }
 }
 
+/// Elements of a part that are computed by one geometry variant.
+struct VariantElements {
+  const VariantTable<double>* kernels = nullptr;
+  std::vector<std::int32_t> elements;
+  std::vector<int> node_order;  // as ElementGroupSource::node_order
+};
+
+std::vector<VariantElements> special_variants(const KernelTable<double>& table) {
+  std::vector<VariantElements> variants;
+  for (std::int32_t v = 0; v < table.num_variants; ++v) {
+    const VariantTable<double>& variant = table.variants[v];
+    if (std::string_view(variant.geometry) != "general") variants.push_back({&variant, {}, {}});
+  }
+  return variants;
+}
+
 }  // namespace
 
 std::vector<std::int32_t> elements_of_region(const ElementBlock& block, std::int32_t region) {
@@ -166,15 +184,18 @@ std::vector<ElementGroup> make_element_groups(const Mesh& mesh, std::span<const 
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const ModelPart& part = parts[p];
     const ElementBlock& block = mesh.blocks[part.block];
-    const VariantTable<double>* box = find_variant(*part.kernels, "box");
-    std::vector<std::int32_t> boxes;
-    std::vector<std::int32_t> others;
-    std::vector<int> box_order;
+    // Each element goes to the first variant that its shape allows; "general", which all do, last.
+    std::vector<VariantElements> variants = special_variants(*part.kernels);
+    variants.push_back({find_variant(*part.kernels, "general"), {}, {}});
     for (const std::int32_t e : part.elements) {
-      std::vector<int> order;
-      if (box != nullptr) order = box_node_order(mesh, block, static_cast<std::size_t>(e));
-      (order.empty() ? others : boxes).push_back(e);
-      box_order.insert(box_order.end(), order.begin(), order.end());
+      for (VariantElements& variant : variants) {
+        const std::optional<std::vector<int>> order =
+            node_order_for(variant.kernels->geometry, mesh, block, static_cast<std::size_t>(e));
+        if (!order) continue;
+        variant.elements.push_back(e);
+        variant.node_order.insert(variant.node_order.end(), order->begin(), order->end());
+        break;
+      }
     }
     ElementGroupSource source{p,
                               part.block,
@@ -185,16 +206,11 @@ std::vector<ElementGroup> make_element_groups(const Mesh& mesh, std::span<const 
                               nullptr,
                               part.parameters,
                               part.density};
-    if (!boxes.empty()) {
-      source.elements = boxes;
-      source.node_order = box_order;
-      source.kernels = box;
-      groups.push_back(make_element_group(mesh, source));
-    }
-    if (!others.empty()) {
-      source.elements = others;
-      source.node_order = {};
-      source.kernels = find_variant(*part.kernels, "general");
+    for (const VariantElements& variant : variants) {
+      if (variant.elements.empty()) continue;
+      source.elements = variant.elements;
+      source.node_order = variant.node_order;
+      source.kernels = variant.kernels;
       groups.push_back(make_element_group(mesh, source));
     }
   }

@@ -8,13 +8,27 @@
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace elastogen {
 namespace {
 
-// Corners of a box in the order of hexa8; the first four are those of a rectangle, quad4.
-constexpr std::array<std::array<int, 3>, 8> box_corners = {
-    {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
+// Nodes of a box in halves of its edges, in the order of hexa20; the first eight are those of
+// hexa8, the first four those of a rectangle, quad4.
+using BoxNode = std::array<int, 3>;
+constexpr std::array<BoxNode, 20> box_nodes = {
+    {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2},
+     {0, 2, 2}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}, {1, 0, 2}, {2, 1, 2},
+     {1, 2, 2}, {0, 1, 2}, {0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}}};
+
+bool may_be_box(const Mesh& mesh, const ElementBlock& block) {
+  if (mesh.dim == 2) return block.element == "quad4";
+  return block.element == "hexa8" || block.element == "hexa20";
+}
+
+// Corners at the ends of a tetrahedron's edges, in the order of the nodes of tet10 in their middle.
+constexpr std::array<std::array<std::size_t, 2>, 6> tetrahedron_edges = {
+    {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
 
 // Size of an element: largest extent along an axis, and largest coordinate.
 struct Size {
@@ -70,8 +84,7 @@ struct BadShape {
 }  // namespace
 
 std::vector<int> box_node_order(const Mesh& mesh, const ElementBlock& block, std::size_t element) {
-  const bool may_be_box = mesh.dim == 3 ? block.element == "hexa8" : block.element == "quad4";
-  if (!may_be_box) return {};
+  if (!may_be_box(mesh, block)) return {};
   const auto dim = static_cast<std::size_t>(mesh.dim);
   const std::span<const std::int32_t> nodes = block.element_nodes(element);
   const auto position = [&](std::size_t a, std::size_t i) {
@@ -94,7 +107,7 @@ std::vector<int> box_node_order(const Mesh& mesh, const ElementBlock& block, std
     for (std::size_t i = 0; i < dim; ++i) {
       double expected = position(0, i);
       for (std::size_t d = 0; d < dim; ++d) {
-        if (axis[d] == i) expected += box_corners[a][d] * edge[d][i];
+        if (axis[d] == i) expected += 0.5 * box_nodes[a][d] * edge[d][i];
       }
       if (!(std::abs(position(a, i) - expected) <= tolerance)) return {};
     }
@@ -112,14 +125,42 @@ std::vector<int> box_node_order(const Mesh& mesh, const ElementBlock& block, std
   if (orientation < 0) return {};
   std::vector<int> order(nodes.size());
   for (std::size_t a = 0; a < nodes.size(); ++a) {
-    std::array<int, 3> corner{};
+    BoxNode node{};
     for (std::size_t d = 0; d < dim; ++d) {
-      corner[axis[d]] = edge[d][axis[d]] > 0 ? box_corners[a][d] : 1 - box_corners[a][d];
+      node[axis[d]] = edge[d][axis[d]] > 0 ? box_nodes[a][d] : 2 - box_nodes[a][d];
     }
-    const auto at = std::find(box_corners.begin(), box_corners.end(), corner);
-    order[static_cast<std::size_t>(at - box_corners.begin())] = static_cast<int>(a);
+    const auto at = std::find(box_nodes.begin(), box_nodes.end(), node);
+    order[static_cast<std::size_t>(at - box_nodes.begin())] = static_cast<int>(a);
   }
   return order;
+}
+
+bool has_straight_edges(const Mesh& mesh, const ElementBlock& block, std::size_t element) {
+  if (block.element != "tet10") return false;
+  const std::span<const std::int32_t> nodes = block.element_nodes(element);
+  const auto position = [&](std::size_t a, std::size_t i) {
+    return mesh.positions[3 * static_cast<std::size_t>(nodes[a]) + i];
+  };
+  double longest = 0, farthest = 0;
+  for (std::size_t k = 0; k < tetrahedron_edges.size(); ++k) {
+    const auto [a, b] = tetrahedron_edges[k];
+    for (std::size_t i = 0; i < 3; ++i) {
+      longest = std::max(longest, std::abs(position(b, i) - position(a, i)));
+      const double middle = (position(a, i) + position(b, i)) / 2;
+      farthest = std::max(farthest, std::abs(position(4 + k, i) - middle));
+    }
+  }
+  return farthest <= 1e-12 * longest;
+}
+
+std::optional<std::vector<int>> node_order_for(const std::string& geometry, const Mesh& mesh,
+                                               const ElementBlock& block, std::size_t element) {
+  if (geometry == "box") {
+    std::vector<int> order = box_node_order(mesh, block, element);
+    return order.empty() ? std::nullopt : std::optional(std::move(order));
+  }
+  if (geometry == "affine" && !has_straight_edges(mesh, block, element)) return std::nullopt;
+  return std::vector<int>();
 }
 
 const VariantTable<double>* find_variant(const KernelTable<double>& table,
@@ -133,7 +174,8 @@ const VariantTable<double>* find_variant(const KernelTable<double>& table,
 void measure_rest_shapes(const ElementGroup& group, RestMeasures measures) {
   const std::size_t lanes = static_cast<std::size_t>(group.lanes);
   const std::size_t nodes = static_cast<std::size_t>(group.num_nodes);
-  AlignedVector<double> out((nodes + static_cast<std::size_t>(group.table->num_points)) * lanes);
+  const std::size_t points = static_cast<std::size_t>(group.table->num_points);
+  AlignedVector<double> out((2 * nodes + points) * lanes);
   std::optional<BadShape> first_bad;
   for (std::size_t batch = 0; batch < group.num_batches; ++batch) {
     KernelArguments<double> arguments = group.arguments(batch);
@@ -144,7 +186,7 @@ void measure_rest_shapes(const ElementGroup& group, RestMeasures measures) {
       const std::size_t k = batch * lanes + lane;
       const double smallest = smallest_determinant(element_size(group, batch, lane), group.dim);
       for (int q = group.table->num_points - 1; q >= 0; --q) {
-        const double determinant = out[(nodes + static_cast<std::size_t>(q)) * lanes + lane];
+        const double determinant = out[(2 * nodes + static_cast<std::size_t>(q)) * lanes + lane];
         const bool first = !first_bad || group.elements[k] <= group.elements[first_bad->k];
         if (!(determinant > smallest) && first) first_bad = {k, q, determinant, smallest};
       }
@@ -154,7 +196,8 @@ void measure_rest_shapes(const ElementGroup& group, RestMeasures measures) {
         const std::size_t node =
             static_cast<std::size_t>(group.dofs[(batch * nodes + a) * lanes + lane] / group.dim);
         measures.nodal_volumes[node] += share;
-        measures.lumped_mass[node] += group.density * share;
+        measures.nodal_mass[node] += group.density * share;
+        measures.lumped_mass[node] += group.density * out[(nodes + a) * lanes + lane];
         volume += share;
       }
       measures.element_volumes[static_cast<std::size_t>(group.elements[k])] = volume;

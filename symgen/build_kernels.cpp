@@ -145,7 +145,9 @@ class Builder {
     pieces_per_part_ = rows.size();
 
     std::vector<NodeId> measures = element_.nodal_volumes;
-    measures.insert(measures.end(), element_.determinants.begin(), element_.determinants.end());
+    for (const auto* more : {&element_.lumped_volumes, &element_.determinants}) {
+      measures.insert(measures.end(), more->begin(), more->end());
+    }
     geometry_ = {"geometry", static_cast<int>(measures.size()), {}, {}};
     Graph graph{Dag(element_.dag.number_pool()), {}};
     graph.roots = copy_into(graph.dag, element_.dag, measures);

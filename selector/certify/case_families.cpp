@@ -69,9 +69,7 @@ class Maker {
   explicit Maker(const CaseContext& context) : context_(context), random_(context.generator) {
     case_.parameters =
         parameters_of(context.law, magnitude(random_, 2, 6), uniform(random_, -0.3, 0.45), random_);
-    for (const double x : context.shape.nodes) {
-      case_.rest_positions.push_back(x + uniform(random_, -0.15, 0.15));
-    }
+    distort();
   }
 
   [[nodiscard]] int dim() const { return context_.shape.dim; }
@@ -154,6 +152,20 @@ class Maker {
   }
 
  private:
+  /// Moves the reference nodes by up to 0.15; by less where that would all but invert the element,
+  /// as it does those with nodes in the middle of their edges.
+  void distort() {
+    const std::vector<double>& nodes = context_.shape.nodes;
+    std::vector<double> shift;
+    for (std::size_t k = 0; k < nodes.size(); ++k) shift.push_back(uniform(random_, -0.15, 0.15));
+    const double whole = context_.shape.smallest_determinant(nodes);
+    for (double share = 1;; share /= 2) {
+      case_.rest_positions = nodes;
+      for (std::size_t k = 0; k < nodes.size(); ++k) case_.rest_positions[k] += share * shift[k];
+      if (context_.shape.smallest_determinant(case_.rest_positions) > 0.05 * whole) break;
+    }
+  }
+
   [[nodiscard]] std::vector<double> mapped(const Matrix& a, const std::vector<double>& x) const {
     std::vector<double> result(x.size());
     for (std::size_t first = 0; first < x.size(); first += static_cast<std::size_t>(dim())) {

@@ -143,14 +143,14 @@ int run_evaluate(const EvaluateOptions& options, const Context& context) {
                                       : read_text_file(options.input, "input");
   const symgen::ElementCase input = read_evaluation_case(text, source, law, element);
   check_rest_shape(input, source, element, symgen::find_quadrature(id.element, id.quadrature));
-  if (options.geometry == "box") {
+  if (options.geometry != "general") {
     if (options.scalar == "dag" || options.scalar == "cln") {
       throw InputError(
-          fmt::format("--geometry box: --scalar {} evaluates the graph, which knows "
+          fmt::format("--geometry {}: --scalar {} evaluates the graph, which knows "
                       "only the general geometry; take double, float or simd",
-                      options.scalar));
+                      options.geometry, options.scalar));
     }
-    check_rest_shape_is_box(input, source, element);
+    check_rest_shape_is(options.geometry, input, source, element);
   }
   fmt::print("{}\n", results_json(compute(options, id, law, input, context), element.dim).dump(2));
   return 0;
@@ -188,9 +188,11 @@ void add_evaluate_command(CLI::App& app, Context& context) {
       ->check(CLI::IsMember({"double", "float", "simd", "dag", "cln"}))
       ->capture_default_str();
   command
-      ->add_option("--geometry", options->geometry,
-                   "Variant of the compiled kernels; box: axis-aligned hexahedra only")
-      ->check(CLI::IsMember({"general", "box"}))
+      ->add_option(
+          "--geometry", options->geometry,
+          "Variant of the compiled kernels; box: axis-aligned hexahedra only; affine: tet10 "
+          "with straight edges only")
+      ->check(CLI::IsMember({"general", "affine", "box"}))
       ->capture_default_str();
   command->callback([options, &context] {
     context.action = [options, &context] { return run_evaluate(*options, context); };

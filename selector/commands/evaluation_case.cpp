@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 
 #include "runtime/error.h"
 #include "runtime/mesh.h"
@@ -190,8 +191,8 @@ void check_rest_shape(const symgen::ElementCase& input, const std::string& sourc
   }
 }
 
-void check_rest_shape_is_box(const symgen::ElementCase& input, const std::string& source,
-                             const symgen::Element& element) {
+void check_rest_shape_is(const std::string& geometry, const symgen::ElementCase& input,
+                         const std::string& source, const symgen::Element& element) {
   Mesh mesh;
   mesh.dim = element.dim;
   mesh.positions = input.rest_positions;
@@ -201,14 +202,14 @@ void check_rest_shape_is_box(const symgen::ElementCase& input, const std::string
   block.nodes.resize(static_cast<std::size_t>(element.num_nodes()));
   std::iota(block.nodes.begin(), block.nodes.end(), 0);
   block.region = {0};
-  const std::vector<int> order = box_node_order(mesh, block, 0);
-  if (!std::is_sorted(order.begin(), order.end()) || order.empty()) {
-    throw InputError(fmt::format(
-        "{}: rest_positions: {}, which --geometry box needs; take --geometry general", source,
-        order.empty()
-            ? "the element is no axis-aligned box"
-            : "the box's nodes are not in an order along the axes, the least corner first"));
-  }
+  const std::optional<std::vector<int>> order = node_order_for(geometry, mesh, block, 0);
+  if (order && std::is_sorted(order->begin(), order->end())) return;
+  const char* fault = "the element is no axis-aligned box";
+  if (order) fault = "the box's nodes are not in an order along the axes, the least corner first";
+  if (geometry == "affine") fault = "the element is no tet10 with straight edges";
+  throw InputError(
+      fmt::format("{}: rest_positions: {}, which --geometry {} needs; take --geometry general",
+                  source, fault, geometry));
 }
 
 }  // namespace elastogen::selector

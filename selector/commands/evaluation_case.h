@@ -28,8 +28,9 @@ namespace elastogen::selector {
 void check_rest_shape(const symgen::ElementCase& input, const std::string& source,
                       const symgen::Element& element, const symgen::Quadrature& quadrature);
 
-/// @throws InputError  unless the rest shape is an axis-aligned box in the element's node order
-void check_rest_shape_is_box(const symgen::ElementCase& input, const std::string& source,
-                             const symgen::Element& element);
+/// @throws InputError  unless the rest shape is of a geometry variant, "box" or "affine", in the
+///                     element's node order
+void check_rest_shape_is(const std::string& geometry, const symgen::ElementCase& input,
+                         const std::string& source, const symgen::Element& element);
 
 }  // namespace elastogen::selector

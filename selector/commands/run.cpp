@@ -101,6 +101,13 @@ std::vector<std::string> mesh_warnings(const SceneMesh& mesh) {
                     "displacement is not continuous across them (thesis, figure 6.19)",
                     mesh.split_quadrilaterals));
   }
+  if (mesh.unequal_faces > 0) {
+    warnings.push_back(
+        fmt::format("{} faces meet faces of the same corners but of other nodes between them, as "
+                    "where linear elements lie beside quadratic ones: the displacement is not "
+                    "continuous across them",
+                    mesh.unequal_faces));
+  }
   return warnings;
 }
 

@@ -41,6 +41,8 @@ Colour shape_colour(std::string_view element) {
   if (element == "pyramid5") return {0.95, 0.45, 0.70};
   if (element == "hexa8" || element == "quad4") return {0.95, 0.75, 0.05};
   if (element == "tet4" || element == "tri3") return {0.10, 0.20, 0.75};
+  if (element == "hexa20") return {0.65, 0.45, 0.00};
+  if (element == "tet10") return {0.45, 0.15, 0.60};
   return {0.4, 0.4, 0.4};
 }
 

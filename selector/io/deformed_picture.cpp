@@ -99,7 +99,11 @@ void append_polygon(const std::vector<Eigen::Vector2d>& corners, const Colour& c
 
 /// What is filled of an element: its faces, of a plane one the whole.
 std::vector<std::vector<int>> polygons(const ElementTopology& topology) {
-  if (topology.dim == 3) return topology.faces;
+  if (topology.dim == 3) {
+    std::vector<std::vector<int>> around;
+    for (const std::vector<int>& face : topology.faces) around.push_back(around_face(face));
+    return around;
+  }
   std::vector<int> all(static_cast<std::size_t>(topology.num_nodes));
   std::iota(all.begin(), all.end(), 0);
   return {all};

@@ -8,12 +8,16 @@
 namespace elastogen::selector {
 
 /// One element type in both node orders. Gmsh's are drawn in its reference manual, "Node
-/// ordering"; ours are those of symgen/element (thesis, tables 3.1 to 3.3).
+/// ordering"; ours are those of symgen/element (thesis, tables 3.1 to 3.3; the
+/// quadratic elements as symgen/element/shapes.h says).
 struct GmshElement {
   std::int32_t type = 0;     ///< gmsh's number
   std::string_view element;  ///< "hexa8"
   std::vector<int> order;    ///< node of gmsh's element at each of our nodes
   std::vector<int> mirror;   ///< our nodes in the order of the mirrored element: inside out
+  /// As `order`, where gmsh 4.8 has read the element from a .vtk file, whose order of some types it
+  /// writes right but takes up wrong; empty: no different.
+  std::vector<int> order_from_vtk = {};
 };
 
 /// All that a mesh may hold.

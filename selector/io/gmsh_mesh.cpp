@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 /// Where a file's format puts the names of elements.
 struct Format {
   bool groups_are_entities = false;  ///< medit's references, which gmsh makes entities of
-  bool wedges_as_vtk = false;        ///< gmsh writes VTK's order of wedges, but does not read it
+  bool is_vtk = false;               ///< see GmshElement::order_from_vtk
 };
 
 Format format_of(const fs::path& file) {
@@ -78,7 +78,8 @@ void check_types(const fs::path& file, const RawMesh& raw, int dim) {
   for (const GmshElement& element : gmsh_elements()) known.emplace_back(element.element);
   throw InputError(fmt::format(
       "{}: elements that cannot be computed: {}; these can: {}; mesh with elements of first order "
-      "(gmsh: Mesh.ElementOrder = 1)",
+      "(gmsh: Mesh.ElementOrder = 1), or tetrahedra and hexahedra of second order without nodes "
+      "inside of faces (Mesh.ElementOrder = 2, Mesh.SecondOrderIncomplete = 1)",
       file.string(), fmt::join(found, ", "), fmt::join(known, ", ")));
 }
 
@@ -153,7 +154,7 @@ class Drafter {
     if (names.empty()) names = {default_region};
     const GmshElement& type = *find_gmsh_element(raw.type);
     const std::vector<int>& order =
-        format_.wedges_as_vtk && type.element == "prism6" ? type.mirror : type.order;
+        format_.is_vtk && !type.order_from_vtk.empty() ? type.order_from_vtk : type.order;
     DraftElements elements{std::string(type.element), names.front(), "", {}, raw.tags};
     for (std::size_t e = 0; e < raw.tags.size(); ++e) {
       const std::vector<std::int32_t> nodes = nodes_of(raw, e);

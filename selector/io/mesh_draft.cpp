@@ -51,7 +51,9 @@ double relative_volume(const MeshDraft& draft, const ElementTopology& topology,
     if (draft.dim == 2) {
       volume += triple(corner(0), corner(1), {0, 0, 1}) / 2;
     }
-    for (std::size_t i = 1; draft.dim == 3 && i + 1 < face.size(); ++i) {
+    // Of quadratic faces the corners: what is between them does not turn an element inside out.
+    const std::size_t corners = num_face_corners(face.size());
+    for (std::size_t i = 1; draft.dim == 3 && i + 1 < corners; ++i) {
       volume += triple(corner(0), corner(i), corner(i + 1)) / 6;
     }
   }

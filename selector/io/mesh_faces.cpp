@@ -10,8 +10,8 @@
 namespace elastogen::selector {
 namespace {
 
-/// A face's nodes in ascending order after -1 for each that it has fewer than four.
-using FaceKey = std::array<std::int32_t, 4>;
+/// A face's nodes in ascending order after -1 for each that it has fewer than eight.
+using FaceKey = std::array<std::int32_t, 8>;
 
 FaceKey key_of(const std::vector<std::int32_t>& nodes) {
   FaceKey key;
@@ -19,6 +19,11 @@ FaceKey key_of(const std::vector<std::int32_t>& nodes) {
   std::copy(nodes.begin(), nodes.end(), key.begin());
   std::sort(key.begin(), key.end());
   return key;
+}
+
+std::vector<std::int32_t> corners_of(const MeshFace& face) {
+  const auto corners = static_cast<std::ptrdiff_t>(num_face_corners(face.nodes.size()));
+  return {face.nodes.begin(), face.nodes.begin() + corners};
 }
 
 std::vector<MeshFace> all_faces(const Mesh& mesh) {
@@ -40,27 +45,45 @@ std::vector<MeshFace> all_faces(const Mesh& mesh) {
   return faces;
 }
 
-/// Boundary triangles by their nodes.
+/// Boundary triangles by their corners.
 std::map<FaceKey, std::size_t> triangles_of(const std::vector<MeshFace>& boundary) {
   std::map<FaceKey, std::size_t> triangles;
   for (std::size_t i = 0; i < boundary.size(); ++i) {
-    if (boundary[i].nodes.size() == 3) triangles.emplace(key_of(boundary[i].nodes), i);
+    const std::vector<std::int32_t> corners = corners_of(boundary[i]);
+    if (corners.size() == 3) triangles.emplace(key_of(corners), i);
   }
   return triangles;
 }
 
-/// The boundary triangles on the nodes of a boundary quadrilateral: two where it is split along
-/// one of its diagonals by its neighbours.
-std::vector<std::size_t> triangles_on(const MeshFace& quadrilateral,
+/// The boundary triangles on the corners of a boundary face: two where it is a quadrilateral that
+/// its neighbours split along one of its diagonals.
+std::vector<std::size_t> triangles_on(const MeshFace& face,
                                       const std::map<FaceKey, std::size_t>& triangles) {
   std::vector<std::size_t> found;
+  const std::vector<std::int32_t> corners = corners_of(face);
+  if (corners.size() != 4) return found;
   for (std::size_t left_out = 0; left_out < 4; ++left_out) {
-    std::vector<std::int32_t> three = quadrilateral.nodes;
+    std::vector<std::int32_t> three = corners;
     three.erase(three.begin() + static_cast<std::ptrdiff_t>(left_out));
     const auto triangle = triangles.find(key_of(three));
     if (triangle != triangles.end()) found.push_back(triangle->second);
   }
   return found;
+}
+
+/// Boundary faces that have their corners in common with one of other nodes in the middle of its
+/// edges, or of none.
+std::vector<std::size_t> unequal_faces(const std::vector<MeshFace>& boundary) {
+  std::map<FaceKey, std::vector<std::size_t>> by_corners;
+  for (std::size_t i = 0; i < boundary.size(); ++i) {
+    if (boundary[i].nodes.size() > 2) by_corners[key_of(corners_of(boundary[i]))].push_back(i);
+  }
+  std::vector<std::size_t> unequal;
+  for (const auto& [key, faces] : by_corners) {
+    if (faces.size() > 1) unequal.insert(unequal.end(), faces.begin(), faces.end());
+  }
+  std::sort(unequal.begin(), unequal.end());
+  return unequal;
 }
 
 }  // namespace
@@ -91,16 +114,17 @@ FaceMatching match_faces(const Mesh& mesh) {
   for (const std::size_t i : repeated) matching.overused.push_back(std::move(faces[i]));
   const auto triangles = triangles_of(matching.boundary);
   for (std::size_t i = 0; i < matching.boundary.size(); ++i) {
-    const MeshFace& face = matching.boundary[i];
-    if (face.nodes.size() == 4 && triangles_on(face, triangles).size() == 2) {
+    if (triangles_on(matching.boundary[i], triangles).size() == 2) {
       matching.split_quadrilaterals.push_back(i);
     }
   }
+  matching.unequal = unequal_faces(matching.boundary);
   return matching;
 }
 
 std::vector<std::size_t> surface_faces(const FaceMatching& matching) {
   std::vector<bool> inside(matching.boundary.size(), false);
+  for (const std::size_t i : matching.unequal) inside[i] = true;
   const auto triangles = triangles_of(matching.boundary);
   for (const std::size_t i : matching.split_quadrilaterals) {
     inside[i] = true;

@@ -14,7 +14,7 @@ struct MeshFace {
   std::size_t block = 0;            ///< index into Mesh::blocks
   std::size_t element = 0;          ///< number within the block
   std::size_t face = 0;             ///< index into ElementTopology::faces
-  std::vector<std::int32_t> nodes;  ///< global, counter-clockwise seen from outside the element
+  std::vector<std::int32_t> nodes;  ///< global, in the order of ElementTopology::faces
 };
 
 /// How the faces of a mesh match.
@@ -23,16 +23,20 @@ struct FaceMatching {
   std::vector<MeshFace> boundary;
   /// One face of every set of nodes that more than two elements share: elements overlap there.
   std::vector<MeshFace> overused;
-  /// Indices into `boundary` of quadrilaterals whose four nodes also carry two boundary triangles
+  /// Indices into `boundary` of quadrilaterals whose four corners also carry two boundary triangles
   /// of other elements: the displacement is not continuous across them (thesis, figure 6.19).
   std::vector<std::size_t> split_quadrilaterals;
+  /// Indices into `boundary` of faces that have the same corners as another, but not the same nodes
+  /// in the middle of the edges: linear elements beside quadratic ones, or such nodes not shared.
+  /// The displacement is not continuous across them.
+  std::vector<std::size_t> unequal;
 };
 
 /// Matches faces by their sets of nodes. Deterministic: faces come in element order.
 [[nodiscard]] FaceMatching match_faces(const Mesh& mesh);
 
 /// Indices into `matching.boundary` of the faces on the mesh's surface: `boundary` without the
-/// quadrilaterals and triangles that meet in non-conforming interfaces.
+/// faces that meet in non-conforming interfaces.
 [[nodiscard]] std::vector<std::size_t> surface_faces(const FaceMatching& matching);
 
 }  // namespace elastogen::selector

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 
 #include "runtime/error.h"
@@ -13,6 +14,7 @@
 #include "selector/io/mesh_faces.h"
 #include "selector/scene/cube_cuts.h"
 #include "selector/scene/located_error.h"
+#include "selector/scene/mid_edge_nodes.h"
 
 namespace elastogen::selector {
 namespace {
@@ -109,13 +111,14 @@ void set_positions(const BarDescription& bar, const BarGrid& grid,
   }
 }
 
-/// Cells [first, last) along x, cut into one block.
+/// Cells [first, last) along x, cut into one block; of quadratic elements, those of their corners.
 ElementBlock cut_layers(const BarDescription& bar, const BarGrid& grid, const std::string& element,
                         int first, int last, std::int32_t region) {
   const CubeCut& cut = cube_cut(element);
+  const ElementTopology& topology = element_topology(element);
   ElementBlock block;
-  block.element = element;
-  block.nodes_per_element = element_topology(element).num_nodes;
+  block.element = topology.is_quadratic() ? topology.linear : topology.element;
+  block.nodes_per_element = topology.num_corners();
   for (int i = first; i < last; ++i) {
     for (int j = 0; j < bar.cells[1]; ++j) {
       for (int k = 0; k < std::max(bar.cells[2], 1); ++k) {
@@ -130,9 +133,63 @@ ElementBlock cut_layers(const BarDescription& bar, const BarGrid& grid, const st
   return block;
 }
 
+/// Turns the sections of quadratic elements into such, and numbers all nodes plane by plane again.
+void make_quadratic(const BarDescription& bar, Mesh& mesh) {
+  std::vector<QuadraticBlock> quadratic;
+  for (std::size_t s = 0; s < bar.sections.size(); ++s) {
+    const std::string& element = bar.sections[s].association.element;
+    if (element_topology(element).is_quadratic()) quadratic.push_back({s, element});
+  }
+  if (quadratic.empty()) return;
+  add_mid_edge_nodes(mesh, quadratic);
+
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  const auto position = [&](std::size_t node) {
+    return std::span<const double>(&mesh.positions[dim * node], dim);
+  };
+  std::vector<std::size_t> order(mesh.num_nodes());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  // Coordinates of one plane are equal to the last bit: each is made in one way.
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::ranges::lexicographical_compare(position(a), position(b));
+  });
+  std::vector<std::int32_t> number(order.size());
+  std::vector<double> positions;
+  for (std::size_t n = 0; n < order.size(); ++n) {
+    number[order[n]] = static_cast<std::int32_t>(n);
+    positions.insert(positions.end(), position(order[n]).begin(), position(order[n]).end());
+  }
+  for (ElementBlock& block : mesh.blocks) {
+    for (std::int32_t& node : block.nodes) node = number[static_cast<std::size_t>(node)];
+  }
+  mesh.positions = std::move(positions);
+}
+
+/// The planes between layers of cells, and the nodes on each.
+void set_sections(const BarDescription& bar, SceneMesh& result) {
+  const Mesh& mesh = result.mesh;
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  const int nx = bar.cells[0];
+  for (int i = 0; i <= nx; ++i) result.section_x.push_back(bar.size[0] * i / nx);
+  result.section_nodes.resize(result.section_x.size());
+  for (std::size_t n = 0; n < mesh.num_nodes(); ++n) {
+    const double layers = mesh.positions[dim * n] / bar.size[0] * nx;
+    const double nearest = std::round(layers);
+    // Other nodes are at least a quarter of a cell away.
+    if (std::abs(layers - nearest) > 0.1) continue;
+    result.section_nodes[static_cast<std::size_t>(nearest)].push_back(static_cast<std::int32_t>(n));
+  }
+}
+
 /// A number that the runtime can still count with.
 void check_size(const BarDescription& bar) {
-  double nodes = 2;  // grid nodes and centres
+  // Grid nodes and centres; of quadratic elements a node on each of the seven edges and diagonals
+  // that start from a grid node.
+  const bool quadratic =
+      std::any_of(bar.sections.begin(), bar.sections.end(), [](const SectionDescription& section) {
+        return element_topology(section.association.element).is_quadratic();
+      });
+  double nodes = quadratic ? 8 : 2;
   for (const int cells : bar.cells) nodes *= cells + 1.0;
   constexpr double most = std::numeric_limits<std::int32_t>::max() / 3.0;
   if (nodes > most) {
@@ -170,14 +227,11 @@ SceneMesh make_bar(const BarDescription& bar) {
                              section.region, section.region_where});
     first = ends[s];
   }
-  for (int i = 0; i <= bar.cells[0]; ++i) {
-    result.section_x.push_back(bar.size[0] * i / bar.cells[0]);
-    std::vector<std::int32_t>& nodes = result.section_nodes.emplace_back(grid.plane_size());
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-      nodes[n] = static_cast<std::int32_t>(grid.grid_node(i, 0, 0) + n);
-    }
-  }
-  result.split_quadrilaterals = match_faces(result.mesh).split_quadrilaterals.size();
+  make_quadratic(bar, result.mesh);
+  set_sections(bar, result);
+  const FaceMatching matching = match_faces(result.mesh);
+  result.split_quadrilaterals = matching.split_quadrilaterals.size();
+  result.unequal_faces = matching.unequal.size();
   return result;
 }
 

@@ -59,12 +59,13 @@ const CubeCut& cube_cut(const std::string& element) {
       {"pyramid5", cut_into_pyramids()},
       {"tet4", cut_into_tetrahedra()},
   };
-  const auto cut = cuts.find(element);
+  const ElementTopology& topology = element_topology(element);
+  const auto cut = cuts.find(std::string(topology.is_quadratic() ? topology.linear : element));
   if (cut == cuts.end()) {
     throw InputError(
         fmt::format("the cells of a bar cannot be cut into '{}': tri3 and quad4 in the plane, and "
                     "hexa8, prism6, "
-                    "pyramid5 and tet4 are possible",
+                    "pyramid5, tet4, hexa20 and tet10 are possible",
                     element));
   }
   return cut->second;

@@ -17,7 +17,8 @@ inline constexpr int cube_centre = 8;
 
 /// hexa8: the cell itself. tet4: six around the diagonal 0-6. prism6: two, upright along z, cut
 /// along 0-2 and 4-6. pyramid5: six, from the centre to each face. Plane cells have the corners 0
-/// to 3. quad4: the cell itself. tri3: two, cut along 0-2.
+/// to 3. A quadratic element has the cut of the linear one on its corners. quad4: the cell itself.
+/// tri3: two, cut along 0-2.
 ///
 /// Neighbouring cells with the same cut fit together. Across faces x = constant, prisms, pyramids
 /// and hexahedra fit each other (whole quadrilaterals); tetrahedra split those faces in two.

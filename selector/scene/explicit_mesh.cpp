@@ -102,6 +102,7 @@ SceneMesh make_explicit_mesh(const ExplicitMeshDescription& description) {
   const FaceMatching matching = match_faces(mesh);
   check_faces(description, mesh, matching);
   result.split_quadrilaterals = matching.split_quadrilaterals.size();
+  result.unequal_faces = matching.unequal.size();
   return result;
 }
 

@@ -102,7 +102,9 @@ SceneMesh make_file_mesh(const MeshFileDescription& description) {
   for (const MeshPartDescription& part : description.parts) {
     check_all_used(part.choice, used[&part.choice]);
   }
-  result.split_quadrilaterals = match_faces(file.mesh).split_quadrilaterals.size();
+  const FaceMatching matching = match_faces(file.mesh);
+  result.split_quadrilaterals = matching.split_quadrilaterals.size();
+  result.unequal_faces = matching.unequal.size();
   result.mesh = std::move(file.mesh);
   result.boundaries = std::move(file.boundaries);
   result.element_numbers = std::move(file.element_numbers);

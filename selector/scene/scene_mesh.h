@@ -28,9 +28,10 @@ struct SceneMesh {
   std::vector<double> section_x;  ///< grid planes of a bar; else empty
   std::vector<std::vector<std::int32_t>> section_nodes;  ///< their nodes
   std::size_t split_quadrilaterals = 0;                  ///< quadrilaterals that meet two triangles
-  std::vector<MeshBoundary> boundaries;                  ///< of a sphere or a mesh file
-  std::vector<std::uint64_t> element_numbers;            ///< the mesh file's; so is the next
-  std::vector<std::string> notes;                        ///< what was left out or mended
+  std::size_t unequal_faces = 0;         ///< both sides of faces of unequal nodes between corners
+  std::vector<MeshBoundary> boundaries;  ///< of a sphere or a mesh file
+  std::vector<std::uint64_t> element_numbers;  ///< the mesh file's; so is the next
+  std::vector<std::string> notes;              ///< what was left out or mended
 };
 
 /// Number of a region in mesh.region_names, added where it is new.

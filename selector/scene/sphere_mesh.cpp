@@ -11,8 +11,9 @@
 
 #include "runtime/error.h"
 #include "selector/io/element_topology.h"
+#include "selector/io/mesh_faces.h"
 #include "selector/scene/cube_cuts.h"
-#include "selector/scene/located_error.h"
+#include "selector/scene/mid_edge_nodes.h"
 
 namespace elastogen::selector {
 namespace {
@@ -104,15 +105,6 @@ class Shell {
     for (const std::size_t s : surface_.faces[number]) nodes.push_back(node(layer, s));
     return nodes;
   }
-  [[nodiscard]] MeshBoundary boundary(const char* name, int layer) const {
-    MeshBoundary boundary{name, {}, {}};
-    for (std::size_t s = 0; s < surface_.directions.size(); ++s) {
-      boundary.nodes.push_back(node(layer, s));
-    }
-    for (std::size_t f = 0; f < surface_.faces.size(); ++f)
-      boundary.faces.push_back(face(layer, f));
-    return boundary;
-  }
 
  private:
   const SphereDescription& sphere_;
@@ -154,6 +146,36 @@ std::vector<std::vector<std::int32_t>> cut_cell(const std::string& element,
   return elements;
 }
 
+/// Makes the elements quadratic, edges between nodes of one radius on the sphere of that radius.
+void add_curved_edges(Mesh& mesh, const std::string& element) {
+  const auto position = [&](std::int32_t node) {
+    return Eigen::Map<Eigen::Vector3d>(mesh.positions.data() + 3 * node);
+  };
+  for (const MidEdgeNode& edge : add_mid_edge_nodes(mesh, {{0, element}})) {
+    const double radius = (position(edge.a).norm() + position(edge.b).norm()) / 2;
+    position(edge.node) *= radius / position(edge.node).norm();
+  }
+}
+
+MeshBoundary boundary_at(const Mesh& mesh, const FaceMatching& matching, const char* name,
+                         double radius) {
+  const auto is_there = [&](std::int32_t node) {
+    const double at = Eigen::Map<const Eigen::Vector3d>(mesh.positions.data() + 3 * node).norm();
+    return std::abs(at - radius) < 1e-9 * radius;
+  };
+  MeshBoundary boundary{name, {}, {}};
+  for (std::size_t node = 0; node < mesh.num_nodes(); ++node) {
+    const auto number = static_cast<std::int32_t>(node);
+    if (is_there(number)) boundary.nodes.push_back(number);
+  }
+  for (const MeshFace& face : matching.boundary) {
+    if (std::all_of(face.nodes.begin(), face.nodes.end(), is_there)) {
+      boundary.faces.push_back(face.nodes);
+    }
+  }
+  return boundary;
+}
+
 void check_size(const SphereDescription& sphere) {
   const double nodes = 6.0 * sphere.cells[0] * sphere.cells[0] * (sphere.cells[1] + 1.0);
   if (nodes > std::numeric_limits<std::int32_t>::max() / 3.0) {
@@ -168,11 +190,13 @@ void check_size(const SphereDescription& sphere) {
 SceneMesh make_sphere(const SphereDescription& sphere) {
   check_size(sphere);
   const std::string& element = sphere.association.element;
-  const bool of_triangles = element == "prism6" || element == "tet4";
-  if (!of_triangles && element != "hexa8" && element != "pyramid5") {
+  const ElementTopology& topology = element_topology(element);
+  const std::string linear(topology.is_quadratic() ? topology.linear : topology.element);
+  const bool of_triangles = linear == "prism6" || linear == "tet4";
+  if (!of_triangles && linear != "hexa8" && linear != "pyramid5") {
     throw InputError(fmt::format(
-        "{}: sphere.association: a sphere cannot be cut into '{}': hexa8, prism6, pyramid5 and "
-        "tet4 are possible",
+        "{}: sphere.association: a sphere cannot be cut into '{}': hexa8, prism6, pyramid5, tet4, "
+        "hexa20 and tet10 are possible",
         sphere.association_where, element));
   }
   const Shell shell(sphere,
@@ -187,15 +211,15 @@ SceneMesh make_sphere(const SphereDescription& sphere) {
     }
   }
   ElementBlock& block = mesh.blocks.emplace_back();
-  block.element = element;
-  block.nodes_per_element = element_topology(element).num_nodes;
+  block.element = linear;
+  block.nodes_per_element = element_topology(linear).num_nodes;
   const std::int32_t region = region_number(mesh, sphere.region);
   for (int layer = 0; layer < shell.layers(); ++layer) {
     for (std::size_t f = 0; f < shell.surface().faces.size(); ++f) {
       std::vector<std::int32_t> cell = shell.face(layer, f);
       const std::vector<std::int32_t> upper = shell.face(layer + 1, f);
       cell.insert(cell.end(), upper.begin(), upper.end());
-      if (element == "pyramid5") {
+      if (linear == "pyramid5") {
         Eigen::Vector3d centre = Eigen::Vector3d::Zero();
         for (const std::int32_t node : cell) {
           centre += Eigen::Map<const Eigen::Vector3d>(mesh.positions.data() + 3 * node) / 8;
@@ -203,7 +227,7 @@ SceneMesh make_sphere(const SphereDescription& sphere) {
         cell.push_back(static_cast<std::int32_t>(mesh.num_nodes()));
         append(mesh, centre);
       }
-      for (const std::vector<std::int32_t>& nodes : cut_cell(element, cell)) {
+      for (const std::vector<std::int32_t>& nodes : cut_cell(linear, cell)) {
         block.nodes.insert(block.nodes.end(), nodes.begin(), nodes.end());
         block.region.push_back(region);
       }
@@ -211,7 +235,10 @@ SceneMesh make_sphere(const SphereDescription& sphere) {
   }
   result.blocks.push_back(
       {"sphere", sphere.association, sphere.association_where, sphere.region, sphere.region_where});
-  result.boundaries = {shell.boundary("inner", 0), shell.boundary("outer", shell.layers())};
+  if (topology.is_quadratic()) add_curved_edges(mesh, element);
+  const FaceMatching matching = match_faces(mesh);
+  result.boundaries = {boundary_at(mesh, matching, "inner", sphere.inner),
+                       boundary_at(mesh, matching, "outer", sphere.outer)};
   return result;
 }
 

@@ -314,7 +314,8 @@ Json summary_json(const RunSummary& summary) {
                {"mesh",
                 {{"nodes", mesh.mesh.num_nodes()},
                  {"elements", mesh.mesh.num_elements()},
-                 {"split_quadrilaterals", mesh.split_quadrilaterals}}}};
+                 {"split_quadrilaterals", mesh.split_quadrilaterals},
+                 {"unequal_faces", mesh.unequal_faces}}}};
   json["associations"] = associations_json(summary);
   json["operations"] = summary.operations;
   json["skipped_operations"] = skipped_operations(summary.operations);

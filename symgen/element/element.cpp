@@ -11,11 +11,22 @@ namespace {
 
 const std::vector<Element>& elements() {
   static const std::vector<Element> all = {make_tri3(),  make_quad4(),  make_tet4(),
-                                           make_hexa8(), make_prism6(), make_pyramid5()};
+                                           make_hexa8(), make_prism6(), make_pyramid5(),
+                                           make_tet10(), make_hexa20()};
   return all;
 }
 
 }  // namespace
+
+void add_mid_edge_nodes(Element& element) {
+  for (const auto& [a, b] : element.edges) {
+    std::vector<GiNaC::ex> middle;
+    for (std::size_t i = 0; i < element.coordinates.size(); ++i) {
+      middle.push_back((element.nodes[a][i] + element.nodes[b][i]) / 2);
+    }
+    element.nodes.push_back(std::move(middle));
+  }
+}
 
 std::vector<GiNaC::symbol> reference_coordinates(int dim) {
   static const std::vector<GiNaC::symbol> coordinates = {GiNaC::symbol("xi"), GiNaC::symbol("eta"),

@@ -3,6 +3,7 @@
 
 #include <ginac/ginac.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -20,15 +21,20 @@ enum class ReferenceShape { triangle, quadrilateral, tetrahedron, hexahedron, pr
 /// A reference element: shape, nodes, shape functions.
 /// Source: X. Faure, Approche formelle pour la simulation interactive de modeles mixtes, thesis,
 /// Lyon 2014, tables 3.1 to 3.3, after Dhatt & Touzot, Une presentation de la methode des
-/// elements finis, 1984.
+/// elements finis, 1984; the quadratic ones as in shapes.h.
 struct Element {
   std::string name;  ///< "hexa8"
   ReferenceShape shape = ReferenceShape::tetrahedron;
   int dim = 3;                                ///< space dimensions, = reference coordinates
   std::vector<GiNaC::symbol> coordinates;     ///< reference coordinates xi, eta (, mu)
   std::vector<std::vector<GiNaC::ex>> nodes;  ///< [a][i] reference node coordinates, exact
-  std::vector<GiNaC::ex> shape_functions;     ///< [a] in `coordinates`, dimensionless
-  bool affine = false;   ///< the map from reference to rest shape is always affine (tri3, tet4)
+  /// Quadratic elements: the corners at the ends of each edge whose middle is a node; those nodes
+  /// stand after the corners, in this order. Linear elements: empty.
+  std::vector<std::array<std::size_t, 2>> edges;
+  std::vector<GiNaC::ex> shape_functions;  ///< [a] in `coordinates`, dimensionless
+  bool affine = false;  ///< the map from reference to rest shape is always affine (tri3, tet4)
+  /// Has the `affine` geometry variant: a simplex with straight edges, their nodes in the middle.
+  bool has_affine = false;
   bool has_box = false;  ///< has the `box` geometry variant (axis-aligned rectangular rest shape)
 
   [[nodiscard]] int num_nodes() const { return static_cast<int>(nodes.size()); }

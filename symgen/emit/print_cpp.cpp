@@ -167,7 +167,7 @@ std::string print_cpp_registration(const AssociationId& id,
   };
   static const std::vector<Entry> entries = {
       {"constants", "kernels::{}::num_constants", "overwrite", true},
-      {"geometry", "kernels::num_nodes + kernels::num_points", "overwrite", true},
+      {"geometry", "2 * kernels::num_nodes + kernels::num_points", "overwrite", true},
       {"energy", "1", "accumulate", false},
       {"forces", "num_dofs", "accumulate", false},
       {"product", "num_dofs", "accumulate_scaled", false},

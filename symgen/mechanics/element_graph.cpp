@@ -31,10 +31,15 @@ ExactMatrix shape_gradients(const Element& element, const std::vector<GiNaC::ex>
   return gradients;
 }
 
-/// Since the gradients of a partition of unity add up to zero, sum_a c_a U_a may be written with
-/// differences of U only: nodes whose coefficients are opposite at every quadrature point are
-/// paired (the edges of a hexahedron), the others refer to the last node.
-std::vector<Difference> nodal_differences(const std::vector<ExactMatrix>& gradients, int k) {
+/// How nodes come together along one reference coordinate: nodes whose coefficients are opposite at
+/// every quadrature point are pairs (the edges of a hexahedron); others, unless theirs vanish, are
+/// alone.
+struct NodePairs {
+  std::vector<Difference> pairs;
+  std::vector<int> alone;  // ascending
+};
+
+NodePairs pair_nodes(const std::vector<ExactMatrix>& gradients, int k) {
   const int num_nodes = static_cast<int>(gradients[0].size());
   const auto opposite = [&](int a, int b) {
     for (const ExactMatrix& at_point : gradients) {
@@ -48,20 +53,42 @@ std::vector<Difference> nodal_differences(const std::vector<ExactMatrix>& gradie
     }
     return true;
   };
-  std::vector<Difference> differences;
+  NodePairs result;
   std::vector<bool> done(num_nodes, false);
   for (int a = 0; a < num_nodes; ++a) {
     if (done[a] || vanishes(a)) continue;
-    int other = num_nodes - 1;
-    for (int b = a + 1; b < num_nodes; ++b) {
-      if (!done[b] && opposite(a, b)) {
-        other = b;
-        done[b] = true;
-        break;
-      }
+    for (int b = a + 1; b < num_nodes && !done[a]; ++b) {
+      if (done[b] || !opposite(a, b)) continue;
+      result.pairs.push_back({a, b});
+      done[a] = done[b] = true;
     }
-    done[a] = true;
-    if (other != a) differences.push_back({a, other});
+    if (!done[a]) result.alone.push_back(a);
+  }
+  return result;
+}
+
+/// Since the gradients of a partition of unity add up to zero, sum_a c_a U_a may be written with
+/// differences of U only: those of pairs, and of nodes that are alone from one of them. This one is
+/// the same along all coordinates where there is such a node: its differences are shared then.
+/// @return [reference coordinate]
+std::vector<std::vector<Difference>> nodal_differences(const std::vector<ExactMatrix>& gradients,
+                                                       int dim) {
+  std::vector<NodePairs> along;
+  for (int k = 0; k < dim; ++k) along.push_back(pair_nodes(gradients, k));
+  std::vector<int> common = along[0].alone;
+  for (const NodePairs& each : along) {
+    std::erase_if(common, [&](int a) {
+      return !std::binary_search(each.alone.begin(), each.alone.end(), a);
+    });
+  }
+  std::vector<std::vector<Difference>> differences;
+  for (NodePairs& each : along) {
+    std::vector<Difference>& result = differences.emplace_back(std::move(each.pairs));
+    if (each.alone.empty()) continue;
+    const int reference = common.empty() ? each.alone.back() : common.back();
+    for (const int a : each.alone) {
+      if (a != reference) result.push_back({a, reference});
+    }
   }
   return differences;
 }
@@ -74,9 +101,7 @@ class Builder {
     for (const std::vector<GiNaC::ex>& point : quadrature.points) {
       gradients_.push_back(shape_gradients(element, point));
     }
-    for (int k = 0; k < element.dim; ++k) {
-      differences_.push_back(nodal_differences(gradients_, k));
-    }
+    differences_ = nodal_differences(gradients_, element.dim);
   }
 
   void add_inputs(const Law& law) {
@@ -142,13 +167,16 @@ class Builder {
     }
   }
 
-  void add_nodal_volumes() {
+  void add_volumes() {
     const Quadrature& rule = richest_quadrature(element_.name);
     Builder rich(element_, rule, geometry_);
     rich.graph_.dag = std::move(graph_.dag);
     rich.graph_.positions = graph_.positions;
-    NumberPool& numbers = rich.graph_.dag.numbers();
-    std::vector<std::vector<Operand>> terms(element_.num_nodes());
+    Dag& dag = rich.graph_.dag;
+    NumberPool& numbers = dag.numbers();
+    const auto num_nodes = static_cast<std::size_t>(element_.num_nodes());
+    std::vector<std::vector<Operand>> terms(num_nodes), squares(num_nodes);
+    std::vector<ExactNumber> reference_volumes(num_nodes);
     for (int g = 0; g < rule.num_points(); ++g) {
       const NodeId determinant = determinant_of_point(rich, g);
       std::map<GiNaC::ex, ExactNumber, GiNaC::ex_is_less> values;
@@ -156,20 +184,39 @@ class Builder {
         values[element_.coordinates[k]] = exact_value(rule.points[g][k], {});
       }
       const ExactNumber weight = exact_value(rule.weights[g], {});
-      for (int a = 0; a < element_.num_nodes(); ++a) {
+      for (std::size_t a = 0; a < num_nodes; ++a) {
         const ExactNumber shape = exact_value(element_.shape_functions[a], values);
         terms[a].push_back({determinant, numbers.intern(weight * shape)});
+        squares[a].push_back({determinant, numbers.intern(weight * shape * shape)});
+        reference_volumes[a] = reference_volumes[a] + weight * shape;
       }
     }
-    for (std::vector<Operand>& sum : terms) {
-      graph_.nodal_volumes.push_back(rich.graph_.dag.sum(std::move(sum)));
-    }
+    for (std::vector<Operand>& sum : terms) graph_.nodal_volumes.push_back(dag.sum(std::move(sum)));
+    const bool all_positive = std::all_of(reference_volumes.begin(), reference_volumes.end(),
+                                          [](const ExactNumber& v) { return v.to_double() > 0; });
+    graph_.lumped_volumes =
+        all_positive ? graph_.nodal_volumes : scaled_diagonal(dag, std::move(squares));
     graph_.dag = std::move(rich.graph_.dag);
   }
 
   ElementGraph take() { return std::move(graph_); }
 
  private:
+  /// The volume, shared out in proportion to the sums.
+  std::vector<NodeId> scaled_diagonal(Dag& dag, std::vector<std::vector<Operand>> sums) const {
+    std::vector<NodeId> shares;
+    std::vector<Operand> volume, total;
+    for (std::vector<Operand>& sum : sums) {
+      shares.push_back(dag.sum(std::move(sum)));
+      total.push_back({shares.back(), NumberPool::one});
+    }
+    for (const NodeId nodal : graph_.nodal_volumes) volume.push_back({nodal, NumberPool::one});
+    const NodeId scale =
+        dag.multiply(dag.sum(std::move(volume)), dag.inverse(dag.sum(std::move(total))));
+    for (NodeId& share : shares) share = dag.multiply(scale, share);
+    return shares;
+  }
+
   static NodeId determinant_of_point(Builder& builder, int g) {
     return builder.determinant_of(builder.jacobian_at(g));
   }
@@ -209,26 +256,31 @@ class Builder {
     if (geometry_ == Geometry::general) return reference_gradient(graph_.positions, g);
     const int dim = element_.dim;
     NodeMatrix jacobian(dim, std::vector<NodeId>(dim, graph_.dag.number(NumberPool::zero)));
-    for (int k = 0; k < dim; ++k) jacobian[k][k] = half_edge(k);
+    for (int k = 0; k < dim; ++k) {
+      for (int i = 0; i < dim; ++i) {
+        if (geometry_ == Geometry::affine || i == k) jacobian[i][k] = slope_along_edge(i, k);
+      }
+    }
     return jacobian;
   }
 
-  /// A box's Jacobian is diagonal: edge length over reference edge length.
-  NodeId half_edge(int k) {
+  /// Where the map is affine, d X_i / d xi_k everywhere: by the edge from node 0 along xi_k, its
+  /// component over the reference length. A box's Jacobian is diagonal.
+  NodeId slope_along_edge(int i, int k) {
     Dag& dag = graph_.dag;
     for (int b = 1; b < element_.num_nodes(); ++b) {
       bool is_edge = true;
-      for (int i = 0; i < element_.dim; ++i) {
-        const bool differs = !(element_.nodes[b][i] - element_.nodes[0][i]).is_zero();
-        if (differs != (i == k)) is_edge = false;
+      for (int j = 0; j < element_.dim; ++j) {
+        const bool differs = !(element_.nodes[b][j] - element_.nodes[0][j]).is_zero();
+        if (differs != (j == k)) is_edge = false;
       }
       if (!is_edge) continue;
       const ExactNumber length = exact_value(element_.nodes[b][k] - element_.nodes[0][k], {});
       const int dim = element_.dim;
       return dag.scale(dag.numbers().intern(length.inverse()),
-                       dag.subtract(graph_.positions[b * dim + k], graph_.positions[k]));
+                       dag.subtract(graph_.positions[b * dim + i], graph_.positions[i]));
     }
-    throw InternalError("element " + element_.name + " has no box variant");
+    throw InternalError("element " + element_.name + " has no edge along each coordinate");
   }
 
   NodeId minor_of(const NodeMatrix& m, int row, int column) {
@@ -326,11 +378,20 @@ class Builder {
 }  // namespace
 
 std::string geometry_name(Geometry geometry) {
-  return geometry == Geometry::box ? "box" : "general";
+  switch (geometry) {
+    case Geometry::general:
+      return "general";
+    case Geometry::affine:
+      return "affine";
+    case Geometry::box:
+      return "box";
+  }
+  throw InternalError("unknown geometry");
 }
 
 std::vector<Geometry> geometries_of(const Element& element) {
   std::vector<Geometry> geometries{Geometry::general};
+  if (element.has_affine) geometries.push_back(Geometry::affine);
   if (element.has_box) geometries.push_back(Geometry::box);
   return geometries;
 }
@@ -341,7 +402,7 @@ ElementGraph build_element_graph(const Law& law, const EnergyDensity& energy,
   Builder builder(element, quadrature, geometry);
   builder.add_inputs(law);
   builder.add_energies(law, energy, derivation);
-  builder.add_nodal_volumes();
+  builder.add_volumes();
   return builder.take();
 }
 

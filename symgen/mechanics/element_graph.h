@@ -14,8 +14,9 @@
 
 namespace elastogen::symgen {
 
-/// What is known of an element's rest shape: any, or an axis-aligned rectangular box.
-enum class Geometry { general, box };
+/// What is known of an element's rest shape: any; an affine image of the reference shape; or an
+/// axis-aligned rectangular box.
+enum class Geometry { general, affine, box };
 [[nodiscard]] std::string geometry_name(Geometry geometry);
 
 /// The variants that an element has, `general` first.
@@ -35,7 +36,12 @@ struct ElementGraph {
   /// derivatives[l][g] of those energies as GiNaC took them; empty: the graph takes them.
   std::vector<std::vector<NodalDerivatives>> derivatives;
   std::vector<NodeId> nodal_volumes;  ///< integral of shape function a over the rest shape [m^d]
-  std::vector<NodeId> determinants;   ///< det J at each quadrature point
+  /// Shares of the volume for a diagonal mass [m^d], all positive: the nodal volumes where these
+  /// are, as in linear elements; else the volume in proportion to the integrals of the squares of
+  /// the shape functions. Source: Hinton, Rock & Zienkiewicz, A note on mass lumping and related
+  /// processes in the finite element method, Earthquake Eng. Struct. Dyn. 4 (1976) 245-249.
+  std::vector<NodeId> lumped_volumes;
+  std::vector<NodeId> determinants;  ///< det J at each quadrature point
 };
 
 /// Displacement gradients are taken from differences of nodal displacements, so that large

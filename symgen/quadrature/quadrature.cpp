@@ -67,8 +67,11 @@ RuleSet make_rules(const Element& element) {
       rules.offered = {named("q4", gauss_square(2)), named("q9", gauss_square(3))};
       break;
     case ReferenceShape::tetrahedron:
-      rules.offered = {named("q1", tetrahedron_rule(1)), named("q4", tetrahedron_rule(4)),
-                       exact_on_simplex(element)};
+      rules.offered =
+          element.affine
+              ? std::vector{named("q1", tetrahedron_rule(1)), named("q4", tetrahedron_rule(4)),
+                            exact_on_simplex(element)}
+              : std::vector{named("q4", tetrahedron_rule(4)), named("q15", tetrahedron_rule(15))};
       break;
     case ReferenceShape::hexahedron:
       rules.offered = {named("q8", tensor_product(gauss_square(2), gauss_legendre(2))),

@@ -25,11 +25,17 @@ struct Quadrature {
 ///   tri3      q1 (degree 1), q3 (degree 2), exact (analytic)
 ///   quad4     q4, q9: 2 and 3 Gauss points in each direction (degrees 3 and 5)
 ///   tet4      q1 (degree 1), q4 (degree 2), exact (analytic)
+///   tet10     q4 (degree 2), q15 (degree 5)
 ///   hexa8     q8, q27: 2 and 3 Gauss points in each direction (degrees 3 and 5)
 ///   prism6    q6: 3-point triangle x 2 Gauss points (degree 2); q21: 7 x 3 (degree 5)
 ///   pyramid5  q5 (degree 2), q8: conical, 2 x 2 Gauss x 2 Gauss-Jacobi points (degree 3)
-/// Each integrates the gradients of the shape functions exactly on every distorted element and
-/// leaves the stiffness no spurious zero-energy mode (verify_quadrature.h, run by the tests).
+///   hexa20    q8: reduced integration, as C3D20R of Abaqus and CalculiX; q27: full
+/// Each of a linear element integrates the gradients of the shape functions exactly on every
+/// distorted element; so do q15 of tet10 and q27 of hexa20, while their q4 and q8 do it where the
+/// edges are straight with their nodes in the middle. None leaves the stiffness a spurious
+/// zero-energy mode, save hexa20-q8, which has six; an element that is alone can show them, two
+/// that share a face suppress each other's (Zienkiewicz & Taylor, The Finite Element Method,
+/// 5th ed., vol. 1, section 12.5). Proofs: verify_quadrature.h, run by the tests.
 /// @throws InputError  for an unknown element
 [[nodiscard]] const std::vector<std::string>& quadrature_names(const std::string& element);
 
@@ -38,7 +44,8 @@ struct Quadrature {
                                                 const std::string& name);
 
 /// The offered rule of the highest degree, used for nodal volumes: the integral of Lambda_a over
-/// the rest shape is exact with it on every distorted element.
+/// the rest shape is exact with it on every distorted element; of hexa20 where the edges are
+/// straight, else the volume is exact but not its shares.
 /// @throws InputError  for an unknown element
 [[nodiscard]] const Quadrature& richest_quadrature(const std::string& element);
 

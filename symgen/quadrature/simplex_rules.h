@@ -14,7 +14,8 @@ namespace elastogen::symgen {
 [[nodiscard]] Quadrature triangle_rule(int num_points);
 
 /// Rule on the tetrahedron x, y, z >= 0, x + y + z <= 1 (volume 1/6): 1 point, degree 1;
-/// 4 points, degree 2 (Hammer, Marlowe & Stroud, as above).
+/// 4 points, degree 2 (Hammer, Marlowe & Stroud, as above);
+/// 15 points, degree 5 (Stroud, Approximate Calculation of Multiple Integrals, 1971, T3: 5-1).
 /// @throws InternalError  for another number of points
 [[nodiscard]] Quadrature tetrahedron_rule(int num_points);
 

@@ -14,6 +14,7 @@ struct SampleOptions {
   double strain = 0.1;       ///< size of the nodal displacements over the element's size
   double distortion = 0.15;  ///< of the reference shape, in units of its coordinates
   bool box = false;          ///< an axis-aligned box instead of a distorted shape
+  bool straight = false;     ///< quadratic elements: straight edges, their nodes in the middle
   std::uint32_t seed = 1;
 };
 
@@ -33,6 +34,12 @@ void make_rigid_motion(symgen::ElementCase& sample, int dim, double angle);
 
 /// Every law x element x quadrature, unsplit.
 [[nodiscard]] std::vector<std::string> unsplit_associations();
+
+/// Those of quadratic elements among them: a few, since they are large.
+[[nodiscard]] std::vector<std::string> quadratic_associations();
+
+/// Puts the nodes in the middle of a quadratic element's edges back there; positions [a * dim + i].
+void straighten_edges(const symgen::Element& element, std::vector<double>& positions);
 
 /// "stvk_hexa8_q8_none", for names of parametrised tests.
 [[nodiscard]] std::string test_name(const std::string& association);

@@ -2,7 +2,8 @@
 //
 // Beam 8 x 1 x 1 m, clamped at x = 0, E = 100 MPa, nu = 0, rho = 1000 kg/m^3, gravity 9.81 m/s^2
 // along -z as consistent body load, Saint-Venant Kirchhoff, static. Mean displacement of the end
-// face by CalculiX 2.20 (C3D8, C3D4, NLGEOM) and FEniCSx 0.5, which agree to 6 digits.
+// face by CalculiX 2.20 (C3D8, C3D4, NLGEOM) and FEniCSx 0.5, which agree to 6 digits; of quadratic
+// elements by CalculiX (C3D10, C3D20R).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -55,9 +56,12 @@ TEST_P(ReferenceBeam, EndFaceAgreesToFiveDigits) {
 
 INSTANTIATE_TEST_SUITE_P(
     Meshes, ReferenceBeam,
-    ::testing::Values(Reference{"hexa8_48", "stvk-hexa8-q8-none", {48, 8, 8}, -0.599316, -0.025606},
-                      Reference{"hexa8_24", "stvk-hexa8-q8-none", {24, 4, 4}, -0.575799, -0.023634},
-                      Reference{"tet4_48", "stvk-tet4-q1-none", {48, 8, 8}, -0.567049, -0.022921}),
+    ::testing::Values(
+        Reference{"hexa8_48", "stvk-hexa8-q8-none", {48, 8, 8}, -0.599316, -0.025606},
+        Reference{"hexa8_24", "stvk-hexa8-q8-none", {24, 4, 4}, -0.575799, -0.023634},
+        Reference{"tet4_48", "stvk-tet4-q1-none", {48, 8, 8}, -0.567049, -0.022921},
+        Reference{"tet10_12", "stvk-tet10-q4-none", {12, 2, 2}, -0.6072477, -0.0262999},
+        Reference{"hexa20_12", "stvk-hexa20-q8-none", {12, 2, 2}, -0.6074932, -0.0263147}),
     [](const auto& info) { return info.param.name; });
 
 }  // namespace

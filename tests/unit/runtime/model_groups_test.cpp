@@ -131,8 +131,8 @@ struct Foundation {
       const auto x = [&](int a, int i) { return args.positions[(2 * a + i) * lanes + l]; };
       const double det =
           (x(1, 0) - x(0, 0)) * (x(2, 1) - x(0, 1)) - (x(2, 0) - x(0, 0)) * (x(1, 1) - x(0, 1));
-      for (int a = 0; a < 3; ++a) args.output[a * lanes + l] = det / 6;
-      args.output[3 * lanes + l] = det;
+      for (int k = 0; k < 6; ++k) args.output[k * lanes + l] = det / 6;
+      args.output[6 * lanes + l] = det;
     }
   }
   static void energy(const Arguments& args) {

@@ -158,9 +158,12 @@ struct ReferenceKernels {
       for (int q = 0; q < points; ++q) {
         const double det = jacobian(load(args.positions, lane), q).determinant();
         volumes += Element::weight(q) * det * Element::values(q);
-        args.output[(n + q) * Lanes + lane] = det;
+        args.output[(2 * n + q) * Lanes + lane] = det;
       }
-      for (int a = 0; a < n; ++a) args.output[a * Lanes + lane] = volumes[a];
+      for (int a = 0; a < n; ++a) {
+        args.output[a * Lanes + lane] = volumes[a];
+        args.output[(n + a) * Lanes + lane] = volumes[a];
+      }
     }
   }
 

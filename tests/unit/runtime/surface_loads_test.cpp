@@ -6,8 +6,10 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "runtime/error.h"
 
@@ -132,6 +134,71 @@ TEST(SurfaceLoads, PressureOnAClosedSurfaceIsInBalance) {
   for (double& x : surface.mesh.positions) x += random(generator);
   surface.faces = {{0, 3, 2, 1}, {0, 1, 5, 4}, {1, 2, 6, 5},
                    {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 6, 7}};
+  Vector f = zero_forces(surface.mesh);
+  add_pressure(surface.mesh, surface.faces, 7, f);
+  EXPECT_GT(f.norm(), 1);
+  EXPECT_LT(resultant(f).norm(), 1e-13 * f.norm());
+  EXPECT_LT(moment(surface.mesh, f).norm(), 1e-13 * f.norm());
+}
+
+/// The faces with a node in the middle of every edge, shared between neighbours.
+Surface quadratic(Surface surface) {
+  std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> middles;
+  for (SurfaceFace& face : surface.faces) {
+    const std::size_t corners = face.size();
+    for (std::size_t c = 0; c < corners; ++c) {
+      const auto [low, high] = std::minmax(face[c], face[(c + 1) % corners]);
+      const auto next = static_cast<std::int32_t>(surface.mesh.num_nodes());
+      const auto [middle, is_new] = middles.try_emplace({low, high}, next);
+      face.push_back(middle->second);
+      for (int i = 0; i < 3 && is_new; ++i) {
+        const auto at = [&](std::int32_t node) {
+          return surface.mesh.positions[static_cast<std::size_t>(3 * node + i)];
+        };
+        surface.mesh.positions.push_back((at(low) + at(high)) / 2);
+      }
+    }
+  }
+  return surface;
+}
+
+TEST(SurfaceLoads, ActOnFlatQuadraticFacesAsTheirShapeFunctionsSay) {
+  Surface surface;
+  surface.mesh.positions = {0, 0, 0, 2, 0, 0, 2, 3, 0, 0, 3, 0};
+  surface.faces = {{0, 1, 2, 3}};
+  surface = quadratic(surface);
+  Vector f = zero_forces(surface.mesh);
+  add_pressure(surface.mesh, surface.faces, -12, f);
+  // Serendipity: -1/12 of the force at each corner, 1/3 in the middle of each edge.
+  for (std::size_t node = 0; node < 8; ++node) {
+    const double force = node < 4 ? -6 : 24;
+    EXPECT_LT((node_values(f, node) - Vector3(0, 0, force)).norm(), 1e-12) << node;
+  }
+  EXPECT_NEAR(surface_area(surface.mesh, surface.faces), 6, 1e-14);
+
+  surface.mesh.positions = {0, 0, 0, 2, 0, 0, 2, 3, 0};
+  surface.faces = {{0, 1, 2}};
+  surface = quadratic(surface);
+  f = zero_forces(surface.mesh);
+  add_traction(surface.mesh, surface.faces, std::array{1.0, -2.0, 3.0}, f);
+  for (std::size_t node = 0; node < 6; ++node) {  // nothing at corners, a third at each edge
+    const Vector3 force = node < 3 ? Vector3::Zero().eval() : Vector3(1, -2, 3);
+    EXPECT_LT((node_values(f, node) - force).norm(), 1e-14) << node;
+  }
+}
+
+TEST(SurfaceLoads, PressureOnACurvedClosedSurfaceIsInBalance) {
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> random(-0.2, 0.2);
+  // A body of curved faces: four quadrilaterals, the other two sides each cut into two triangles.
+  Surface surface;
+  surface.mesh.positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1};
+  surface.faces = {{0, 3, 2},    {0, 2, 1},    {0, 1, 5, 4}, {1, 2, 6, 5},
+                   {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 6},    {4, 6, 7}};
+  surface = quadratic(surface);
+  for (double& x : surface.mesh.positions) x += random(generator);
   Vector f = zero_forces(surface.mesh);
   add_pressure(surface.mesh, surface.faces, 7, f);
   EXPECT_GT(f.norm(), 1);

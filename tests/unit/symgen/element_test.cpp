@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "runtime/error.h"
 #include "symgen/element/check_element.h"
 
@@ -31,8 +33,8 @@ INSTANTIATE_TEST_SUITE_P(Elements, EveryElement, testing::ValuesIn(element_names
                          [](const auto& element) { return element.param; });
 
 TEST(Elements, AreListedInOrder) {
-  EXPECT_EQ(element_names(),
-            (std::vector<std::string>{"tri3", "quad4", "tet4", "hexa8", "prism6", "pyramid5"}));
+  EXPECT_EQ(element_names(), (std::vector<std::string>{"tri3", "quad4", "tet4", "hexa8", "prism6",
+                                                       "pyramid5", "tet10", "hexa20"}));
 }
 
 TEST(Elements, KnowTheirGeometryVariants) {
@@ -41,7 +43,9 @@ TEST(Elements, KnowTheirGeometryVariants) {
   EXPECT_TRUE(find_element("tet4").affine);
   EXPECT_FALSE(find_element("tet4").has_box);
   EXPECT_TRUE(find_element("hexa8").has_box);
-  for (const char* name : {"quad4", "hexa8", "prism6", "pyramid5"})
+  EXPECT_TRUE(find_element("tet10").has_affine);
+  EXPECT_TRUE(find_element("hexa20").has_box);
+  for (const char* name : {"quad4", "hexa8", "prism6", "pyramid5", "tet10", "hexa20"})
     EXPECT_FALSE(find_element(name).affine);
 }
 
@@ -72,6 +76,22 @@ TEST(Elements, HavePrintedShapeFunctions) {
                             (-x - y + z - 1) * (x - y + z - 1) / (4 * (1 - z)),
                             (x + y + z - 1) * (x - y + z - 1) / (4 * (1 - z)),
                             (x + y + z - 1) * (-x + y + z - 1) / (4 * (1 - z)), z});
+}
+
+TEST(Elements, HaveTheNodesOfQuadraticOnesBetweenTheEndsOfTheirEdges) {
+  const std::vector<std::pair<std::string, std::string>> pairs = {{"tet10", "tet4"},
+                                                                  {"hexa20", "hexa8"}};
+  for (const auto& [quadratic, linear] : pairs) {
+    const Element& element = find_element(quadratic);
+    const std::size_t corners = find_element(linear).nodes.size();
+    ASSERT_EQ(element.nodes.size(), corners + element.edges.size());
+    for (std::size_t k = 0; k < element.edges.size(); ++k) {
+      const auto [a, b] = element.edges[k];
+      for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(2 * element.nodes[corners + k][i], element.nodes[a][i] + element.nodes[b][i]);
+      }
+    }
+  }
 }
 
 TEST(CheckElement, FindsSwappedFunctions) {
@@ -117,7 +137,7 @@ TEST(FindElement, SuggestsNearestName) {
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
                  "unknown element 'hexa9'; did you mean 'hexa8'?; elements are tri3, quad4, "
-                 "tet4, hexa8, prism6, pyramid5");
+                 "tet4, hexa8, prism6, pyramid5, tet10, hexa20");
   }
 }
 

@@ -249,9 +249,10 @@ TEST_P(EveryElement, GoesThroughGmshAndBack) {
 TEST_P(EveryElement, IsTurnedWhenAllOfItsKindAreInsideOut) {
   const GmshElement& element = GetParam();
   const std::string name(element.element);
-  std::vector<int> nodes;
-  for (const int a : element.mirror)
-    nodes.push_back(in_gmsh_order(element)[static_cast<std::size_t>(a)]);
+  std::vector<int> nodes(element.order.size());
+  for (std::size_t a = 0; a < nodes.size(); ++a) {
+    nodes[static_cast<std::size_t>(element.order[a])] = element.mirror[a];
+  }
   const WrittenMesh written = {reference_nodes(name), {{element.type, {nodes}, ""}}};
   const TemporaryFolder folder;
   write_with_gmsh(written, MeshFormat::msh4, folder.path() / "element.msh");
@@ -348,10 +349,101 @@ TEST_F(MeshFiles, RefuseElementsThatOverlap) {
   expect_error(mesh, {"belongs to more than two elements", "overlap"});
 }
 
-TEST_F(MeshFiles, RefuseElementsOfSecondOrder) {
+TEST_F(MeshFiles, RefuseElementsWithNodesInsideOfFaces) {
   WrittenMesh mesh = house();
-  mesh.elements.push_back({11, {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}}, "house"});
-  expect_error(mesh, {"mesh.msh: ", "1 of type 'Tetrahedron 10'", "tet4", "first order"});
+  std::vector<int> nodes(27);
+  for (int a = 0; a < 27; ++a) nodes[static_cast<std::size_t>(a)] = a % 12;
+  mesh.elements.push_back({12, {nodes}, "house"});
+  expect_error(mesh, {"mesh.msh: ", "1 of type 'Hexahedron 27'", "tet4", "first order",
+                      "SecondOrderIncomplete"});
+}
+
+/// Nodes of quadratic elements that are not in the middle between the ends of their edges.
+std::size_t misplaced_nodes(const Mesh& mesh) {
+  std::size_t misplaced = 0;
+  for (const ElementBlock& block : mesh.blocks) {
+    const ElementTopology& topology = element_topology(block.element);
+    for (std::size_t e = 0; e < block.num_elements(); ++e) {
+      const std::vector<double> x = positions_of(mesh, block, e);
+      for (std::size_t k = 0; k < topology.edges.size(); ++k) {
+        const auto node = static_cast<std::size_t>(topology.num_corners()) + k;
+        const auto a = static_cast<std::size_t>(topology.edges[k][0]);
+        const auto b = static_cast<std::size_t>(topology.edges[k][1]);
+        for (std::size_t i = 0; i < 3; ++i) {
+          const double middle = (x[3 * a + i] + x[3 * b + i]) / 2;
+          // Gmsh divides lines to 1e-12 only.
+          if (std::abs(x[3 * node + i] - middle) > 1e-9) ++misplaced;
+        }
+      }
+    }
+  }
+  return misplaced;
+}
+
+// What gmsh itself takes for the middle of which edge.
+TEST_F(MeshFiles, HaveTheNodesOfQuadraticElementsWhereGmshPutsThem) {
+  for (const bool hexahedra : {false, true}) {
+    const char* element = hexahedra ? "hexa20" : "tet10";
+    SCOPED_TRACE(element);
+    const char* name = hexahedra ? "quadratic_hexahedra.msh" : "quadratic_tetrahedra.msh";
+    const MeshFile read =
+        read_mesh_file(std::filesystem::path(ELASTOGEN_TEST_DATA) / "meshes" / name);
+    EXPECT_TRUE(read.notes.empty()) << ::testing::PrintToString(read.notes);
+    ASSERT_EQ(read.mesh.blocks.size(), 1U);
+    EXPECT_EQ(read.mesh.blocks[0].element, element);
+    EXPECT_EQ(misplaced_nodes(read.mesh), 0U);
+    double volume = 0;
+    for (std::size_t e = 0; e < read.mesh.num_elements(); ++e) {
+      volume += volume_by_faces(read.mesh.positions, read.mesh.blocks[0].element_nodes(e), element);
+    }
+    EXPECT_NEAR(volume, 1, 1e-9);
+    // The boundary is made of faces of the elements.
+    ASSERT_EQ(read.boundaries.size(), 1U);
+    std::set<std::set<std::int32_t>> faces;
+    const FaceMatching matching = match_faces(read.mesh);
+    for (const MeshFace& face : matching.boundary) {
+      faces.emplace(face.nodes.begin(), face.nodes.end());
+    }
+    EXPECT_EQ(surface_faces(matching).size(), matching.boundary.size());
+    EXPECT_GE(read.boundaries[0].faces.size(), 1U);
+    for (const auto& face : read.boundaries[0].faces) {
+      EXPECT_TRUE(faces.contains({face.begin(), face.end()}));
+      EXPECT_EQ(face.size(), hexahedra ? 8U : 6U);
+    }
+  }
+}
+
+TEST_F(MeshFiles, HaveQuadraticElementsInEveryFormatThatHoldsThem) {
+  for (const GmshElement& element : gmsh_elements()) {
+    const std::string name(element.element);
+    if (!element_topology(name).is_quadratic()) continue;
+    const WrittenMesh written = {reference_nodes(name),
+                                 {{element.type, {in_gmsh_order(element)}, "body"}}};
+    for (const FormatCase& format : all_formats) {
+      SCOPED_TRACE(name + " in " + format.file);
+      if (format.format == MeshFormat::mesh) continue;  // gmsh writes it with elements' corners
+      write_with_gmsh(written, format.format, file(format.file));
+      const MeshFile read = read_mesh_file(file(format.file));
+      EXPECT_TRUE(read.notes.empty()) << ::testing::PrintToString(read.notes);
+      EXPECT_EQ(read.mesh.blocks[0].element, name);
+      EXPECT_EQ(positions_of(read.mesh, read.mesh.blocks[0], 0), written.coordinates);
+    }
+  }
+}
+
+// A linear hexahedron beside a quadratic one: the file is right, but they do not fit together.
+TEST_F(MeshFiles, MayMixLinearAndQuadraticElements) {
+  WrittenMesh mesh = {reference_nodes("hexa20"), {}};
+  mesh.coordinates.insert(mesh.coordinates.end(), {3, -1, -1, 3, 1, -1, 3, -1, 1, 3, 1, 1});
+  const GmshElement& hexa20 = *find_gmsh_element(17);
+  mesh.elements = {{17, {in_gmsh_order(hexa20)}, "body"},
+                   {5, {{1, 20, 21, 2, 5, 22, 23, 6}}, "body"}};
+  const MeshFile read = read_mesh_file(write(mesh));
+  EXPECT_EQ(read.mesh.num_elements(), 2U);
+  const FaceMatching matching = match_faces(read.mesh);
+  EXPECT_EQ(matching.boundary.size(), 12U);
+  EXPECT_EQ(matching.unequal.size(), 2U);
+  EXPECT_EQ(surface_faces(matching).size(), 10U);
 }
 
 TEST_F(MeshFiles, RefuseASolidInTwoGroups) {

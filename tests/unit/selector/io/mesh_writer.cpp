@@ -9,8 +9,9 @@ namespace elastogen::selector {
 namespace {
 
 int dimension_of(int type) {
-  static const std::map<int, int> dimensions = {{15, 0}, {1, 1}, {2, 2}, {3, 2},  {4, 3},
-                                                {5, 3},  {6, 3}, {7, 3}, {11, 3}, {9, 2}};
+  static const std::map<int, int> dimensions = {{15, 0}, {1, 1},  {2, 2}, {3, 2},  {4, 3},
+                                                {5, 3},  {6, 3},  {7, 3}, {11, 3}, {9, 2},
+                                                {16, 2}, {17, 3}, {12, 3}};
   return dimensions.at(type);
 }
 

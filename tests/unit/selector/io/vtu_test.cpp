@@ -148,6 +148,39 @@ TEST_F(VtuRoundTrip, CellsAreNotInsideOut) {
   }
 }
 
+/// The third node of each of VTK's quadratic edges lies between the other two.
+TEST(Vtu, QuadraticCellsHaveVtksNodeOrder) {
+  std::string scene = mixed_scene;
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    scene.replace(scene.find(from), from.size(), to);
+  };
+  replace("stvk-hexa8-q8-none", "stvk-hexa20-q8-none");
+  replace("stvk-tet4-q1-none", "stvk-tet10-q4-none");
+  const Mesh mesh = make_mesh(read_text(scene)).mesh;
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "result.vtu";
+  write_vtu(file, mesh, {});
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  vtkUnstructuredGrid* grid = reader->GetOutput();
+  int checked = 0;
+  for (vtkIdType id = 0; id < grid->GetNumberOfCells(); ++id) {
+    vtkCell* cell = grid->GetCell(id);
+    if (cell->IsLinear() != 0) continue;
+    for (int edge = 0; edge < cell->GetNumberOfEdges(); ++edge) {
+      vtkPoints* points = cell->GetEdge(edge)->GetPoints();
+      ASSERT_EQ(points->GetNumberOfPoints(), 3);
+      const auto at = [&](vtkIdType i) {
+        return Eigen::Vector3d(Eigen::Map<const Eigen::Vector3d>(points->GetPoint(i)));
+      };
+      EXPECT_TRUE(at(2).isApprox((at(0) + at(1)) / 2, 1e-12)) << "cell " << id << " edge " << edge;
+      ++checked;
+    }
+  }
+  EXPECT_EQ(checked, 12 + 6 * 6);
+}
+
 TEST(Vtu, RejectsAFieldOfTheWrongSize) {
   const TemporaryFolder folder;
   const Mesh mesh = make_mesh(read_text(mixed_scene)).mesh;

@@ -8,15 +8,16 @@
 #include "element_measures.h"
 #include "selector/io/mesh_faces.h"
 #include "selector/scene/cube_cuts.h"
+#include "selector/scene/mid_edge_nodes.h"
 #include "temporary_scene.h"
 
 namespace elastogen::selector {
 namespace {
 
-const std::map<std::string, std::string> associations = {{"hexa8", "stvk-hexa8-q8-none"},
-                                                         {"prism6", "stvk-prism6-q6-none"},
-                                                         {"pyramid5", "stvk-pyramid5-q5-none"},
-                                                         {"tet4", "stvk-tet4-q1-none"}};
+const std::map<std::string, std::string> associations = {
+    {"hexa8", "stvk-hexa8-q8-none"},       {"prism6", "stvk-prism6-q6-none"},
+    {"pyramid5", "stvk-pyramid5-q5-none"}, {"tet4", "stvk-tet4-q1-none"},
+    {"hexa20", "stvk-hexa20-q8-none"},     {"tet10", "stvk-tet10-q4-none"}};
 
 /// A bar of 3 x 0.7 x 0.4 m with one section for each element named.
 BarDescription bar_of(const std::vector<std::string>& elements, std::array<int, 3> cells) {
@@ -39,12 +40,18 @@ BarDescription bar_of(const std::vector<std::string>& elements, std::array<int, 
 class PureBar : public testing::TestWithParam<const char*> {};
 
 TEST_P(PureBar, HasSoManyElementsPerCell) {
-  const std::map<std::string, std::size_t> per_cell = {
-      {"hexa8", 1}, {"prism6", 2}, {"pyramid5", 6}, {"tet4", 6}};
+  const std::map<std::string, std::size_t> per_cell = {{"hexa8", 1}, {"prism6", 2}, {"pyramid5", 6},
+                                                       {"tet4", 6},  {"hexa20", 1}, {"tet10", 6}};
   const SceneMesh bar = make_bar(bar_of({GetParam()}, {4, 3, 2}));
   EXPECT_EQ(bar.mesh.num_elements(), 4 * 3 * 2 * per_cell.at(GetParam()));
-  const std::size_t centres = GetParam() == std::string("pyramid5") ? 4 * 3 * 2 : 0;
-  EXPECT_EQ(bar.mesh.num_nodes(), 5 * 4 * 3 + centres);
+  const std::string element = GetParam();
+  std::size_t nodes = 5 * 4 * 3;
+  if (element == "pyramid5") nodes += 4 * 3 * 2;  // centres
+  const std::size_t edges = 4 * 4 * 3 + 5 * 3 * 3 + 5 * 4 * 2;
+  const std::size_t diagonals = (4 * 3 * 3 + 4 * 4 * 2 + 5 * 3 * 2) + 4 * 3 * 2;
+  if (element == "hexa20") nodes += edges;
+  if (element == "tet10") nodes += edges + diagonals;
+  EXPECT_EQ(bar.mesh.num_nodes(), nodes);
 }
 
 TEST_P(PureBar, ElementsAreTurnedRightAndFillTheBar) {
@@ -70,17 +77,18 @@ TEST_P(PureBar, FacesAreSharedByTwoOrLieOnTheSurface) {
   double area = 0;
   for (const MeshFace& face : matching.boundary) {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < face.nodes.size(); ++i) {
-      normal +=
-          node_position(bar.mesh.positions, face.nodes[i])
-              .cross(node_position(bar.mesh.positions, face.nodes[(i + 1) % face.nodes.size()]));
+    const std::vector<std::int32_t> around = around_face(face.nodes);
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      normal += node_position(bar.mesh.positions, around[i])
+                    .cross(node_position(bar.mesh.positions, around[(i + 1) % around.size()]));
     }
     area += normal.norm() / 2;
   }
   EXPECT_NEAR(area, 2 * (3.0 * 0.7 + 3.0 * 0.4 + 0.7 * 0.4), 1e-13);
 }
 
-INSTANTIATE_TEST_SUITE_P(Elements, PureBar, testing::Values("hexa8", "prism6", "pyramid5", "tet4"));
+INSTANTIATE_TEST_SUITE_P(Elements, PureBar,
+                         testing::Values("hexa8", "prism6", "pyramid5", "tet4", "hexa20", "tet10"));
 
 TEST(CubeCut, TetrahedraShareTheMainDiagonal) {
   for (const std::vector<int>& tetrahedron : cube_cut("tet4").elements) {
@@ -117,6 +125,49 @@ TEST(MixedBar, SectionsHoldTheNodesOfTheirPlane) {
     }
   }
   EXPECT_EQ(bar.mesh.num_nodes() - on_planes, 3U * 2U * 3U) << "the centres of the pyramids' cells";
+}
+
+TEST(QuadraticBar, HasItsNodesPlaneByPlaneAndInItsSections) {
+  const SceneMesh bar = make_bar(bar_of({"hexa20", "tet10"}, {6, 2, 3}));
+  EXPECT_TRUE(std::is_sorted(bar.section_nodes.front().begin(), bar.section_nodes.front().end()));
+  std::vector<double> x;
+  for (std::size_t node = 0; node < bar.mesh.num_nodes(); ++node) {
+    x.push_back(bar.mesh.positions[3 * node]);
+  }
+  EXPECT_TRUE(std::is_sorted(x.begin(), x.end()));
+  ASSERT_EQ(bar.section_nodes.size(), 7U);
+  const std::size_t corners = 3 * 4, edges = 3 * 3 + 2 * 4, diagonals = 2 * 3;
+  for (std::size_t i = 0; i < 7; ++i) {
+    // Of both meshes in the plane between them: hexa20 and tet10 share the nodes of their edges.
+    EXPECT_EQ(bar.section_nodes[i].size(), corners + edges + (i >= 3 ? diagonals : 0)) << i;
+    for (const std::int32_t node : bar.section_nodes[i]) {
+      EXPECT_DOUBLE_EQ(x[static_cast<std::size_t>(node)], bar.section_x[i]);
+    }
+  }
+  EXPECT_EQ(bar.split_quadrilaterals, 2U * 3U);
+  EXPECT_EQ(bar.unequal_faces, 0U);
+}
+
+TEST(QuadraticBar, DoesNotFitLinearHexahedra) {
+  const SceneMesh bar = make_bar(bar_of({"hexa8", "hexa20"}, {4, 2, 3}));
+  EXPECT_EQ(bar.unequal_faces, 2U * 2U * 3U);
+  EXPECT_EQ(surface_faces(match_faces(bar.mesh)).size(), 2U * (4 * 2 + 4 * 3 + 2 * 3));
+}
+
+TEST(MidEdgeNodes, SayBetweenWhichNodesTheyLie) {
+  Mesh mesh = make_bar(bar_of({"tet4"}, {1, 1, 1})).mesh;
+  const std::size_t corners = mesh.num_nodes();
+  const std::vector<MidEdgeNode> made = add_mid_edge_nodes(mesh, {{0, "tet10"}});
+  EXPECT_EQ(made.size(), 12U + 6 + 1);
+  EXPECT_EQ(mesh.num_nodes(), corners + made.size());
+  for (std::size_t k = 0; k < made.size(); ++k) {
+    EXPECT_EQ(made[k].node, static_cast<std::int32_t>(corners + k));
+    EXPECT_LT(made[k].a, made[k].b);
+    const Eigen::Vector3d middle =
+        (node_position(mesh.positions, made[k].a) + node_position(mesh.positions, made[k].b)) / 2;
+    EXPECT_EQ(node_position(mesh.positions, made[k].node), middle);
+  }
+  EXPECT_THROW((void)add_mid_edge_nodes(mesh, {{0, "hexa20"}}), InternalError);
 }
 
 TEST(MixedBar, RejectsASectionThatEndsInsideACell) {

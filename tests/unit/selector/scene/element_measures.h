@@ -22,7 +22,8 @@ inline Eigen::Vector3d node_position(std::span<const double> positions, std::int
 inline double volume_by_faces(std::span<const double> positions,
                               std::span<const std::int32_t> nodes, const std::string& element) {
   double volume = 0;
-  for (const std::vector<int>& face : element_topology(element).faces) {
+  for (const std::vector<int>& nodes_of_face : element_topology(element).faces) {
+    const std::vector<int> face = around_face(nodes_of_face);
     const auto corner = [&](std::size_t i) {
       return node_position(positions, nodes[static_cast<std::size_t>(face[i])]);
     };
