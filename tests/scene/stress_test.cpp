@@ -191,6 +191,19 @@ TEST_F(Stress, SliverInAGoodMeshIsHarmless) {
   }
 }
 
+TEST_F(Stress, QuadraticElementsDoNotLockWhereLinearOnesDo) {
+  const std::string scene = replaced_once(stress_scene("incompressible", "stable_neo_hookean"),
+                                          "[16, 4, 4]", "[8, 2, 2]");
+  const auto deflection = [&](const char* element) {
+    const nlohmann::json json = run_stress(replaced_once(scene, "hexa20-q8", element));
+    return -json["probes"][0]["displacement"][2].get<double>() / 0.380;
+  };
+  EXPECT_GT(deflection("hexa20-q8"), 0.92);
+  EXPECT_GT(deflection("tet10-q4"), 0.88);
+  EXPECT_LT(deflection("hexa8-q8"), 0.2);
+  EXPECT_LT(deflection("tet4-q1"), 0.2);
+}
+
 TEST_F(Stress, ProjectedTangentsFindTheShapeAtRestInFewerSteps) {
   for (const char* name : {"inverted", "flattened"}) {
     const std::string scene = stress_scene(name, "stable_neo_hookean");
