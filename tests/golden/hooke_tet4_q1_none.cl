@@ -13,7 +13,7 @@
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
 // general  constants              51         10      0          96       80          1
-// general  geometry               27          0      0          96       40          1
+// general  geometry               31          0      0          96       72          1
 // general  energy                 78         10      0         176        8          1
 // general  forces                137         10      0         176       96          1
 // general  product               137         10      0         176       96          1
@@ -84,7 +84,7 @@ __kernel void hooke_tet4_q1_none_general_constants(ELASTOGEN_ELEMENT_ARGUMENTS) 
   report_status(margin, 10, out, e, status);
 }
 
-/// geometry: 27 flops per element
+/// geometry: 31 flops per element
 static void general_geometry(const real *x, __constant real *p, __global const real *c, const real
     *u, const real *v, __global const real *s, const size_t n, real *out, real *margin) {
   const real t0 = x[2] - x[11];
@@ -104,7 +104,11 @@ static void general_geometry(const real *x, __constant real *p, __global const r
   out[1] = R(0.041666666666666664) * t21;
   out[2] = R(0.041666666666666664) * t21;
   out[3] = R(0.041666666666666664) * t21;
-  out[4] = t21;
+  out[4] = R(0.041666666666666664) * t21;
+  out[5] = R(0.041666666666666664) * t21;
+  out[6] = R(0.041666666666666664) * t21;
+  out[7] = R(0.041666666666666664) * t21;
+  out[8] = t21;
 }
 
 __kernel void hooke_tet4_q1_none_general_geometry(ELASTOGEN_ELEMENT_ARGUMENTS) {
@@ -112,11 +116,11 @@ __kernel void hooke_tet4_q1_none_general_geometry(ELASTOGEN_ELEMENT_ARGUMENTS) {
   if (e >= num_elements) return;
   real x[12];
   gather(4, 3, e, stride, nodes, positions, x);
-  real out[5];
+  real out[9];
   real margin = 1;
   general_geometry(x, parameters, 0, 0, 0, 0, stride, out, &margin);
-  store_rows(5, e, stride, out, output);
-  report_status(margin, 5, out, e, status);
+  store_rows(9, e, stride, out, output);
+  report_status(margin, 9, out, e, status);
 }
 
 /// energy: 78 flops per element

@@ -13,7 +13,7 @@
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
 // general  constants              51         10      0          96       80          1
-// general  geometry               27          0      0          96       40          1
+// general  geometry               31          0      0          96       72          1
 // general  energy                 78         10      0         176        8          1
 // general  forces                137         10      0         176       96          1
 // general  product               137         10      0         176       96          1
@@ -84,7 +84,7 @@ inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   out[9] = t49;
 }
 
-/// geometry: 27 flops per element
+/// geometry: 31 flops per element
 template <class V>
 inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -107,7 +107,11 @@ inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unuse
   out[1] = S(0.041666666666666664) * t21;
   out[2] = S(0.041666666666666664) * t21;
   out[3] = S(0.041666666666666664) * t21;
-  out[4] = t21;
+  out[4] = S(0.041666666666666664) * t21;
+  out[5] = S(0.041666666666666664) * t21;
+  out[6] = S(0.041666666666666664) * t21;
+  out[7] = S(0.041666666666666664) * t21;
+  out[8] = t21;
 }
 
 /// energy: 78 flops per element

@@ -14,7 +14,7 @@
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
 // general  constants              51         10      0          96       80          1
-// general  geometry               27          0      0          96       40          1
+// general  geometry               31          0      0          96       72          1
 // general  energy                233         10      0         176        8          2
 // general  forces                393         10      0         176       96          2
 // general  product               786         10      0         272       96          2
@@ -85,7 +85,7 @@ inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   out[9] = t49;
 }
 
-/// geometry: 27 flops per element
+/// geometry: 31 flops per element
 template <class V>
 inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -108,7 +108,11 @@ inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unuse
   out[1] = S(0.041666666666666664) * t21;
   out[2] = S(0.041666666666666664) * t21;
   out[3] = S(0.041666666666666664) * t21;
-  out[4] = t21;
+  out[4] = S(0.041666666666666664) * t21;
+  out[5] = S(0.041666666666666664) * t21;
+  out[6] = S(0.041666666666666664) * t21;
+  out[7] = S(0.041666666666666664) * t21;
+  out[8] = t21;
 }
 
 template <class V>

@@ -17,7 +17,7 @@ void general_constants(const Arguments& arguments) {
       });
 }
 void general_geometry(const Arguments& arguments) {
-  elastogen::kernel::run<V, kernels::num_nodes + kernels::num_points, Write::overwrite>(
+  elastogen::kernel::run<V, 2 * kernels::num_nodes + kernels::num_points, Write::overwrite>(
       arguments, [](const auto& in, V* out, V& margin) {
         kernels::general::geometry<V>(in, out, margin);
       });

@@ -147,7 +147,7 @@ Surface quadratic(Surface surface) {
   for (SurfaceFace& face : surface.faces) {
     const std::size_t corners = face.size();
     for (std::size_t c = 0; c < corners; ++c) {
-      const auto [low, high] = std::minmax(face[c], face[(c + 1) % corners]);
+      const auto [low, high] = std::minmax({face[c], face[(c + 1) % corners]});
       const auto next = static_cast<std::int32_t>(surface.mesh.num_nodes());
       const auto [middle, is_new] = middles.try_emplace({low, high}, next);
       face.push_back(middle->second);

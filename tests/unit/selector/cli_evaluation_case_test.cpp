@@ -99,9 +99,9 @@ TEST(RestShape, IsABoxOnlyInTheElementsNodeOrder) {
       input.rest_positions.push_back(3 + 2 * GiNaC::ex_to<GiNaC::numeric>(x).to_double());
     }
   }
-  EXPECT_NO_THROW(check_rest_shape_is_box(input, "case.json", hexa));
+  EXPECT_NO_THROW(check_rest_shape_is("box", input, "case.json", hexa));
   input.rest_positions[0] += 1e-6;
-  EXPECT_THROW(check_rest_shape_is_box(input, "case.json", hexa), InputError);
+  EXPECT_THROW(check_rest_shape_is("box", input, "case.json", hexa), InputError);
 }
 
 }  // namespace
