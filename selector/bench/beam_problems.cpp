@@ -15,7 +15,8 @@ constexpr double length = 8;
 
 const MeshFamilies meshes = {
     {{6, 1, 1}, {12, 2, 2}, {24, 4, 4}, {36, 6, 6}, {48, 8, 8}, {72, 12, 12}},
-    {{4, 1, 1}, {8, 1, 1}, {8, 2, 2}, {12, 2, 2}, {16, 3, 3}, {24, 4, 4}}};
+    // With one hexa20 of 8 points across, motions without energy spoil the bending.
+    {{4, 2, 2}, {8, 2, 2}, {12, 2, 2}, {16, 3, 3}, {24, 4, 4}}};
 const std::vector<std::pair<std::string, double>> solvers = {
     {"cholesky", 1e-8}, {"cg", 1e-8}, {"cholesky", 1e-4}};
 
