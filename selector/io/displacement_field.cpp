@@ -9,6 +9,7 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,6 +44,27 @@ struct ResultGrid {
   vtkDataArray* displacement = nullptr;
 };
 
+/// VTK finds local coordinates in quadratic cells to 1e-4 or so: Newton's method goes on from them.
+/// @param weights  gets the shape functions there, [node]
+void improve_local_coordinates(vtkGenericCell& cell, const Eigen::Vector3d& at,
+                               std::array<double, 3>& local, std::vector<double>& weights) {
+  const auto count = static_cast<Eigen::Index>(cell.GetNumberOfPoints());
+  Eigen::Matrix3Xd points(3, count);
+  for (Eigen::Index n = 0; n < count; ++n) {
+    points.col(n) = Eigen::Map<const Eigen::Vector3d>(cell.GetPoints()->GetPoint(n));
+  }
+  Eigen::MatrixX3d slopes(count, 3);  // by columns, as VTK lists them
+  for (int iteration = 0; iteration < 4; ++iteration) {
+    cell.InterpolateFunctions(local.data(), weights.data());
+    cell.InterpolateDerivs(local.data(), slopes.data());
+    const Eigen::Vector3d residual =
+        at - points * Eigen::Map<const Eigen::VectorXd>(weights.data(), count);
+    Eigen::Map<Eigen::Vector3d>(local.data()) +=
+        (points * slopes).partialPivLu().solve(residual).eval();
+  }
+  cell.InterpolateFunctions(local.data(), weights.data());
+}
+
 }  // namespace
 
 ResultField read_result_field(const std::filesystem::path& file) {
@@ -71,16 +93,20 @@ std::vector<double> displacements_at(const std::filesystem::path& file,
   const double size = grid->GetLength();
   std::vector<double> result(positions.size(), 0.0);
   vtkNew<vtkGenericCell> cell;
+  std::vector<double> weights(static_cast<std::size_t>(grid->GetMaxCellSize()));
   for (std::size_t p = 0; p < positions.size() / each; ++p) {
     std::array<double, 3> at{}, local{};
     std::copy_n(&positions[each * p], each, at.begin());
-    std::array<double, 8> weights{};  // of a hexahedron; other cells have fewer
     const vtkIdType found = locator->FindCell(at.data(), tolerance * size * tolerance * size, cell,
                                               local.data(), weights.data());
     if (found < 0) {
       throw InputError(
           fmt::format("{}: the point [{}] lies in none of its cells: the bodies differ",
                       file.string(), fmt::join(at, ", ")));
+    }
+    if (cell->IsLinear() == 0 && cell->GetCellDimension() == 3) {
+      improve_local_coordinates(*cell, Eigen::Map<const Eigen::Vector3d>(at.data()), local,
+                                weights);
     }
     for (vtkIdType n = 0; n < cell->GetNumberOfPoints(); ++n) {
       for (std::size_t c = 0; c < each; ++c) {

@@ -33,9 +33,9 @@ struct Quadrature {
 /// Each of a linear element integrates the gradients of the shape functions exactly on every
 /// distorted element; so do q15 of tet10 and q27 of hexa20, while their q4 and q8 do it where the
 /// edges are straight with their nodes in the middle. None leaves the stiffness a spurious
-/// zero-energy mode, save hexa20-q8, which has six; an element that is alone can show them, two
-/// that share a face suppress each other's (Zienkiewicz & Taylor, The Finite Element Method,
-/// 5th ed., vol. 1, section 12.5). Proofs: verify_quadrature.h, run by the tests.
+/// zero-energy mode, save hexa20-q8, which has six. Columns one element wide keep one for each
+/// element, also where an end is held; beside other elements there is none (three by two, two by
+/// two by two). Proofs: verify_quadrature.h, run by the tests.
 /// @throws InputError  for an unknown element
 [[nodiscard]] const std::vector<std::string>& quadrature_names(const std::string& element);
 

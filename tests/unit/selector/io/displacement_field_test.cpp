@@ -42,6 +42,28 @@ TEST_F(DisplacementField, IsInterpolatedInsideCellsAndOnTheirFaces) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-12);
 }
 
+// Straight quadratic elements interpolate quadratic fields exactly.
+TEST_F(DisplacementField, IsInterpolatedInQuadraticCells) {
+  for (const char* association : {"stvk-hexa20-q8-none", "stvk-tet10-q4-none"}) {
+    SCOPED_TRACE(association);
+    const Mesh mesh =
+        make_mesh(read_text(replaced(good_scene, "stvk-hexa8-q8-none", association))).mesh;
+    const auto field = [](const std::vector<double>& positions) {
+      std::vector<double> values = linear_field(positions);
+      for (std::size_t p = 0; p < positions.size(); p += 3) {
+        values[p] += positions[p] * positions[p] - positions[p + 1] * positions[p + 2];
+      }
+      return values;
+    };
+    const std::vector<double> values = field(mesh.positions);
+    write_vtu(file_, mesh, {{{"displacement", values}}, {}, {}});
+    const std::vector<double> points = {0, 0, 0, 2, 1, 1, 1, 0.5, 0.25, 0.3, 0.7, 0.1};
+    const std::vector<double> found = displacements_at(file_, points, 3);
+    const std::vector<double> expected = field(points);
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-12);
+  }
+}
+
 TEST_F(DisplacementField, RefusesPointsOutsideAndOtherFiles) {
   EXPECT_THROW((void)displacements_at(file_, std::vector<double>{2.1, 0, 0}, 3), InputError);
   EXPECT_THROW((void)displacements_at(bare_, std::vector<double>{0, 0, 0}, 3), InputError);
