@@ -17,11 +17,11 @@
 #include "selector/bench/scene_process.h"
 #include "selector/bench/thesis_beams.h"
 #include "selector/bench/work_precision_report.h"
-#include "selector/io/atomic_file.h"
 #include "selector/jit/compiler.h"
 #include "selector/support/files.h"
 #include "selector/support/names.h"
 #include "symgen/emit/content_hash.h"
+#include "symgen/law/moduli.h"
 
 namespace elastogen::selector {
 namespace fs = std::filesystem;
@@ -67,10 +67,44 @@ WorkPrecisionPoint start_point(const std::string& problem, const WorkPrecisionCh
   return point;
 }
 
+bool is_wanted(const WorkPrecisionProblem& problem, const WorkPrecisionOptions& options) {
+  const auto& names = options.problems;
+  return names.empty() ||
+         std::find(names.begin(), names.end(), problem.text().problem) != names.end();
+}
+
+void check_options(const WorkPrecisionOptions& options,
+                   const std::vector<std::unique_ptr<WorkPrecisionProblem>>& problems) {
+  std::vector<std::string> names;
+  for (const auto& problem : problems) names.push_back(problem->text().problem);
+  for (const std::string& name : options.problems) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    throw InputError(fmt::format("there is no problem '{}'{}; there are: {}", name,
+                                 did_you_mean(name, names), join(names, ", ")));
+  }
+  for (const std::string& name : options.selection.laws) {
+    const symgen::Law law = symgen::read_law(symgen::find_law_file(name, options.law_folders));
+    if (symgen::follows_from_young_poisson(law)) continue;
+    throw InputError(fmt::format(
+        "--law {}: the problems give young and poisson, which this law does not follow from",
+        name));
+  }
+  const bool none = std::all_of(problems.begin(), problems.end(), [&](const auto& problem) {
+    return problem->choices(options.selection).empty();
+  });
+  if (none) {
+    throw InputError(
+        fmt::format("--element {}: matches no element with its quadrature, as hexa8-q8 or tet10-q4",
+                    join(options.selection.elements, ", ")));
+  }
+}
+
 class Benchmark {
  public:
-  explicit Benchmark(const WorkPrecisionOptions& options)
+  Benchmark(const WorkPrecisionOptions& options,
+            const std::vector<std::unique_ptr<WorkPrecisionProblem>>& problems)
       : options_(options),
+        problems_(problems),
         database_(options.out / "work_precision.sqlite"),
         run_(this_run(options)) {
     database_.begin_run(run_);
@@ -93,23 +127,27 @@ class Benchmark {
   const SolvedScene* reference_of(const WorkPrecisionProblem& problem, const std::string& law);
   bool has_point(const WorkPrecisionPoint& point, const std::string& hash);
   void keep(const WorkPrecisionPoint& point, const std::string& hash);
-  void report(const std::vector<std::unique_ptr<WorkPrecisionProblem>>& problems);
+  void report();
 
   [[nodiscard]] fs::path write_scene(const std::string& name, const std::string& text) const {
     const fs::path file = options_.out / "scenes" / (name + ".toml");
     write_text_file(file, text);
     return file;
   }
-  /// Of a scene, and all else that the figures depend on.
-  [[nodiscard]] std::string hash_of(const std::string& text) const {
+  /// Of a scene or deck, and all else that the figures depend on.
+  [[nodiscard]] std::string hash_of(const std::string& text, const std::string& law) const {
+    const std::string law_text =
+        read_text_file(symgen::find_law_file(law, options_.law_folders), "law");
     const std::string threads = std::to_string(options_.threads);
-    return symgen::content_hash({text, run_.version, run_.processor, run_.compiler, threads});
+    return symgen::content_hash(
+        {text, law_text, run_.version, run_.processor, run_.compiler, threads});
   }
   [[nodiscard]] SceneProcess process(const fs::path& results) const {
     return {results, options_.threads, options_.runs, options_.time_limit, options_.law_folders};
   }
 
   const WorkPrecisionOptions& options_;
+  const std::vector<std::unique_ptr<WorkPrecisionProblem>>& problems_;
   ResultsDatabase database_;
   BenchRun run_;
   WorkPrecisionOutcome outcome_;
@@ -119,23 +157,18 @@ class Benchmark {
 };
 
 WorkPrecisionOutcome Benchmark::run() {
-  const auto problems = work_precision_problems(options_.law_folders);
-  std::vector<std::string> names;
-  for (const auto& problem : problems) names.push_back(problem->text().problem);
-  for (const std::string& name : options_.problems) {
-    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-    throw InputError(fmt::format("there is no problem '{}'{}; there are: {}", name,
-                                 did_you_mean(name, names), join(names, ", ")));
-  }
   if (options_.calculix && !have_calculix()) {
     options_.tell("CalculiX is not installed (Debian: calculix-ccx): without its points");
   }
-  for (const auto& problem : problems) {
-    const auto& wanted = options_.problems;
-    const std::string& name = problem->text().problem;
-    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
-    if (!options_.interrupted()) run_problem(*problem);
-    report(problems);
+  for (const auto& problem : problems_) {
+    if (!is_wanted(*problem, options_) || options_.interrupted()) continue;
+    try {
+      run_problem(*problem);
+    } catch (const WorkError&) {
+      // Of a reference: without it there is no error to measure. Ctrl-C ends it, too.
+      if (!options_.interrupted()) throw;
+    }
+    report();
   }
   if (options_.interrupted()) outcome_.status = WorkPrecisionStatus::interrupted;
   return outcome_;
@@ -220,7 +253,7 @@ void Benchmark::measure(const WorkPrecisionProblem& problem, const WorkPrecision
   const std::string& name = problem.text().problem;
   WorkPrecisionPoint point = start_point(name, choice);
   const Series series{point.association, point.solver, point.tolerance};
-  const std::string text = problem.scene(choice), hash = hash_of(text);
+  const std::string text = problem.scene(choice), hash = hash_of(text, point.law);
   if (too_slow.contains(series) || has_point(point, hash)) return;
 
   const SolvedScene* reference = reference_of(problem, point.law);
@@ -279,7 +312,7 @@ void Benchmark::measure_calculix(const WorkPrecisionProblem& problem,
   deck.tolerance = calculix_tolerance;
   deck.threads = options_.threads;
   deck.time_limit = options_.time_limit;
-  const std::string hash = hash_of(calculix_deck(deck));
+  const std::string hash = hash_of(calculix_deck(deck), choice.association.law);
   if (has_point(point, hash)) return;
 
   const SolvedScene* reference = reference_of(problem, choice.association.law);
@@ -312,12 +345,12 @@ void Benchmark::measure_calculix(const WorkPrecisionProblem& problem,
   if (!options_.interrupted()) keep(point, hash);
 }
 
-void Benchmark::report(const std::vector<std::unique_ptr<WorkPrecisionProblem>>& problems) {
+void Benchmark::report() {
   const std::vector<WorkPrecisionPoint> points = database_.points();
   write_points_csv(options_.out / "work_precision.csv", points);
   std::vector<ProblemText> texts;
   outcome_.sentences.clear();
-  for (const auto& problem : problems) {
+  for (const auto& problem : problems_) {
     texts.push_back(problem->text());
     std::vector<WorkPrecisionPoint> own;
     std::copy_if(points.begin(), points.end(), std::back_inserter(own),
@@ -333,7 +366,9 @@ void Benchmark::report(const std::vector<std::unique_ptr<WorkPrecisionProblem>>&
 }  // namespace
 
 WorkPrecisionOutcome run_work_precision(const WorkPrecisionOptions& options) {
-  return Benchmark(options).run();
+  const auto problems = work_precision_problems(options.law_folders);
+  check_options(options, problems);
+  return Benchmark(options, problems).run();
 }
 
 }  // namespace elastogen::selector

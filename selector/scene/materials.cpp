@@ -9,6 +9,7 @@
 #include "runtime/error.h"
 #include "selector/scene/located_error.h"
 #include "selector/support/names.h"
+#include "symgen/law/moduli.h"
 
 namespace elastogen::selector {
 namespace {
@@ -19,11 +20,6 @@ std::string toml_key(const std::string& name) {
     return std::isalnum(c) != 0 || c == '_' || c == '-';
   });
   return is_bare ? name : "\"" + name + "\"";
-}
-
-bool follows_from_young_poisson(const symgen::Law& law) {
-  return std::none_of(law.parameters.begin(), law.parameters.end(),
-                      [](const auto& p) { return p.from_young_poisson.empty(); });
 }
 
 std::string parameter_list(const symgen::Law& law) {
@@ -71,7 +67,7 @@ void check_material_keys(const MaterialDescription& material,
                          const std::vector<const symgen::Law*>& laws) {
   std::vector<std::string> keys = {"density", "regions"};
   for (const symgen::Law* law : laws) {
-    if (follows_from_young_poisson(*law)) keys.insert(keys.end(), {"young", "poisson"});
+    if (symgen::follows_from_young_poisson(*law)) keys.insert(keys.end(), {"young", "poisson"});
     for (const symgen::Parameter& parameter : law->parameters) keys.push_back(parameter.name);
   }
   std::vector<std::string> distinct;
@@ -84,7 +80,7 @@ void check_material_keys(const MaterialDescription& material,
 std::vector<double> law_parameters(const MaterialDescription& material, const symgen::Law& law) {
   const TomlTable& table = material.table;
   if (table.has("young") || table.has("poisson")) {
-    if (!follows_from_young_poisson(law)) {
+    if (!symgen::follows_from_young_poisson(law)) {
       table.fail(fmt::format("law '{}' does not follow from young and poisson: give {}", law.name,
                              parameter_list(law)));
     }
@@ -109,9 +105,10 @@ std::vector<double> law_parameters(const MaterialDescription& material, const sy
   std::vector<double> values;
   for (const symgen::Parameter& parameter : law.parameters) {
     if (!table.has(parameter.name)) {
-      table.fail(fmt::format("the parameter '{}' of law '{}' is missing: give {}{}", parameter.name,
-                             law.name, parameter_list(law),
-                             follows_from_young_poisson(law) ? ", or young and poisson" : ""));
+      table.fail(
+          fmt::format("the parameter '{}' of law '{}' is missing: give {}{}", parameter.name,
+                      law.name, parameter_list(law),
+                      symgen::follows_from_young_poisson(law) ? ", or young and poisson" : ""));
     }
     values.push_back(table.number(parameter.name, any_number));
   }

@@ -65,6 +65,13 @@ TEST_F(WorkPrecision, ExplainsWrongCalls) {
   const ProcessResult unknown = bench({"--problem", "bendin"});
   EXPECT_EQ(unknown.exit_status, 2);
   EXPECT_NE(unknown.output.find("did you mean 'bending'?"), std::string::npos) << unknown.output;
+  const ProcessResult rubber = bench({"--law", "yeoh"});
+  EXPECT_EQ(rubber.exit_status, 2);
+  EXPECT_NE(rubber.output.find("young and poisson"), std::string::npos) << rubber.output;
+  const ProcessResult nothing = bench({"--element", "hexa9*"});
+  EXPECT_EQ(nothing.exit_status, 2);
+  EXPECT_NE(nothing.output.find("matches no element"), std::string::npos) << nothing.output;
+  EXPECT_FALSE(std::filesystem::exists(out())) << "nothing is written";
 }
 
 }  // namespace
