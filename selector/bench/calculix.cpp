@@ -104,8 +104,8 @@ void read_output(const std::string& output, CalculixResult& result) {
 void check_success(const ProcessResult& process, const CalculixProblem& problem,
                    const fs::path& deck) {
   if (process.timed_out) {
-    throw WorkError(fmt::format("{}: CalculiX was stopped after {:g} s; its output ends with\n{}",
-                                deck.string(), problem.time_limit, tail(process.output)));
+    throw TookTooLong(fmt::format("{}: CalculiX was stopped after {:g} s; its output ends with\n{}",
+                                  deck.string(), problem.time_limit, tail(process.output)));
   }
   if (process.signal != 0) {
     throw WorkError(fmt::format("{}: CalculiX was ended by signal {}; its output ends with\n{}",

@@ -5,17 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "runtime/error.h"
 #include "selector/bench/work_precision_point.h"
 #include "selector/bench/work_precision_problem.h"
 
 namespace elastogen::selector {
-
-/// A run was stopped at its time limit.
-class TookTooLong : public WorkError {
- public:
-  using WorkError::WorkError;
-};
 
 /// How scenes are run.
 struct SceneProcess {

@@ -20,6 +20,7 @@
 #include "selector/jit/compiler.h"
 #include "selector/support/files.h"
 #include "selector/support/names.h"
+#include "selector/support/process.h"
 #include "symgen/emit/content_hash.h"
 #include "symgen/law/moduli.h"
 
@@ -338,8 +339,10 @@ void Benchmark::measure_calculix(const WorkPrecisionProblem& problem,
     const Measurement measurement = problem.measure(choice, solved, reference);
     point.value = measurement.value;
     point.error = measurement.error;
-  } catch (const WorkError& error) {
+  } catch (const TookTooLong& error) {
     too_slow.insert(series);
+    point.failure = error.what();
+  } catch (const WorkError& error) {
     point.failure = error.what();
   }
   if (!options_.interrupted()) keep(point, hash);

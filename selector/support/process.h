@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/error.h"
+
 namespace elastogen::selector {
 
 struct ProcessResult {
@@ -16,6 +18,12 @@ struct ProcessResult {
   double wall_seconds = 0;  ///< from its start until it was waited for
   double cpu_seconds = 0;   ///< user and system time, with that of children it waited for
   std::string output;       ///< standard output and error, as they came
+};
+
+/// A program was stopped at its time limit.
+class TookTooLong : public WorkError {
+ public:
+  using WorkError::WorkError;
 };
 
 /// How a program is run.
