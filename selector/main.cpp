@@ -126,8 +126,14 @@ std::string suggestion(CLI::App& app, const std::string& word) {
 int report_wrong_call(CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> extras = app.remaining(true);
   std::string message = error.what();
-  if (extras.empty() && app.get_subcommands().empty() && error.get_name() == "RequiredError") {
-    message = "no command; say what to do: " + elastogen::selector::join(command_names(app), ", ");
+  // The command that lacks one of its own, or the program, which lacks a command.
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  CLI::App& owner = chosen.empty() ? app : *chosen.front();
+  const bool lacks_command =
+      owner.get_require_subcommand_min() > 0 && owner.get_subcommands().empty();
+  if (extras.empty() && lacks_command && error.get_name() == "RequiredError") {
+    message =
+        "no command; say what to do: " + elastogen::selector::join(command_names(owner), ", ");
   } else if (!extras.empty()) {
     const std::string& word = extras.front();
     const bool is_command = app.get_subcommands().empty() && !word.starts_with("-");

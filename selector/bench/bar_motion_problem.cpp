@@ -58,7 +58,7 @@ class BarMotion : public WorkPrecisionProblem {
   std::vector<WorkPrecisionChoice> choices(const WorkPrecisionSelection& selection) const override {
     static const MeshFamilies meshes = {
         {{8, 1, 1}, {16, 1, 1}, {32, 1, 1}, {64, 1, 1}, {128, 1, 1}},
-        {{4, 1, 1}, {8, 1, 1}, {16, 1, 1}, {32, 1, 1}}};
+        {{4, 2, 2}, {8, 2, 2}, {16, 2, 2}, {32, 2, 2}}};
     return all_choices(selection, {"hooke"}, meshes,
                        {{"central_differences", 0},
                         {"symplectic_euler", 0},

@@ -16,11 +16,12 @@ struct SceneProcess {
   int threads = 1;
   int runs = 3;           ///< for the median; one where a run takes over two seconds
   double time_limit = 0;  ///< of a run [s]; 0: none
+  /// Run once more before, without a limit: kernels are compiled then, which may take long.
+  bool makes_kernels = false;
   std::vector<std::filesystem::path> law_folders;  ///< passed on as --laws
 };
 
-/// Runs a scene until its kernels are there, then as often as asked, and fills in the point's
-/// counts, times and runs.
+/// Runs a scene as often as asked, and fills in the point's counts, times and runs.
 /// @throws WorkError  the run failed, with the end of what it said; TookTooLong at the limit
 [[nodiscard]] SolvedScene run_scene(const std::filesystem::path& scene, const SceneProcess& how,
                                     WorkPrecisionPoint& point);

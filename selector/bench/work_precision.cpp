@@ -144,7 +144,8 @@ class Benchmark {
         {text, law_text, run_.version, run_.processor, run_.compiler, threads});
   }
   [[nodiscard]] SceneProcess process(const fs::path& results) const {
-    return {results, options_.threads, options_.runs, options_.time_limit, options_.law_folders};
+    return {results, options_.threads,    options_.runs, options_.time_limit,
+            false,   options_.law_folders};
   }
 
   const WorkPrecisionOptions& options_;
@@ -153,8 +154,9 @@ class Benchmark {
   BenchRun run_;
   WorkPrecisionOutcome outcome_;
   std::map<std::pair<std::string, std::string>, SolvedScene> references_;  // by problem and law
-  std::vector<std::string> thesis_;                                        // sections of the page
-  std::size_t done_ = 0, total_ = 0;                                       // points of a problem
+  std::set<Series> with_kernels_;
+  std::vector<std::string> thesis_;   // sections of the page
+  std::size_t done_ = 0, total_ = 0;  // points of a problem
 };
 
 WorkPrecisionOutcome Benchmark::run() {
@@ -261,7 +263,10 @@ void Benchmark::measure(const WorkPrecisionProblem& problem, const WorkPrecision
   const fs::path scene = write_scene(file_name(name, choice), text);
   point.scene = fs::relative(scene, options_.out).string();
   try {
-    const SolvedScene solved = run_scene(scene, process(options_.out / "last_run"), point);
+    SceneProcess how = process(options_.out / "last_run");
+    // The first and coarsest mesh of a series.
+    how.makes_kernels = with_kernels_.insert(series).second;
+    const SolvedScene solved = run_scene(scene, how, point);
     const Measurement measurement = problem.measure(choice, solved, reference);
     point.value = measurement.value;
     point.error = measurement.error;
