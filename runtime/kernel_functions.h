@@ -122,6 +122,20 @@ inline V polynomial(const V& x, const S (&coefficients)[n]) {
   return sum;
 }
 
+/// x = 2^k m with m in [sqrt(1/2), sqrt(2)), of x > 0; of any other x what 1 has, so that nothing
+/// overflows: callers put not a number there.
+template <class V>
+struct Scaled {
+  explicit Scaled(const V& x) {
+    using F = Format<Scalar<V>>;
+    const auto bits = std::bit_cast<Integer<V>>(x > Scalar<V>(0) ? x : V(V{} + Scalar<V>(1)));
+    k = (bits - F::bits_of_root_half) >> F::mantissa_bits;
+    m = std::bit_cast<V>(Integer<V>(bits - (k << F::mantissa_bits)));
+  }
+  Integer<V> k;
+  V m;
+};
+
 /// 1 + x = 2^k (1 + f + l) with 1 + f in [sqrt(1/2), sqrt(2)) and l what rounding f has lost:
 /// log(1 + x) = k log 2 + f - (f - log(1 + f)) + l / (1 + f).
 template <class V>
@@ -143,16 +157,14 @@ inline LogParts<V> log_parts(const V& x) {
   const V u = Scalar<V>(1) + x;
   const V back = u - Scalar<V>(1);
   const V lost = (Scalar<V>(1) - (u - back)) + (x - back);  // 1 + x - u, exactly
-  const auto bits = std::bit_cast<Integer<V>>(u);
-  const Integer<V> k = (bits - F::bits_of_root_half) >> F::mantissa_bits;
-  const V m = std::bit_cast<V>(Integer<V>(bits - (k << F::mantissa_bits)));
+  const Scaled<V> scaled(u);
   parts.one_plus_x = u;
-  parts.k = to_floating<V>(k);
+  parts.k = to_floating<V>(scaled.k);
   // Where k = 0, f is x without any arithmetic: inlined, x may be a product that compilers contract
   // into sums unrounded, once so and once so, and differences of x and f would not be 0.
-  const V whole = m - Scalar<V>(1);
-  const V rest = lost * power_of_two<V>(-k);
-  const auto is_near = k == 0;
+  const V whole = scaled.m - Scalar<V>(1);
+  const V rest = lost * power_of_two<V>(-scaled.k);
+  const auto is_near = scaled.k == 0;
   parts.f = is_near ? x : V(whole + rest);
   const V low = is_near ? V{} : V((whole - parts.f) + rest);
   parts.lost = low * (Scalar<V>(1) - parts.f * (Scalar<V>(1) - parts.f));  // 1 / (1 + f), nearly
@@ -203,11 +215,9 @@ template <class V>
 inline V log(const V& x) {
   using F = functions::Format<Scalar<V>>;
   // 1 + (x - 1) is x but for rounding, so the parts are made from x itself.
-  const auto bits = std::bit_cast<Integer<V>>(x);
-  const Integer<V> k = (bits - F::bits_of_root_half) >> F::mantissa_bits;
-  const V m = std::bit_cast<V>(Integer<V>(bits - (k << F::mantissa_bits)));
-  const auto parts = functions::log_parts(V(m - Scalar<V>(1)));
-  const V n = functions::to_floating<V>(k);
+  const functions::Scaled<V> scaled(x);
+  const auto parts = functions::log_parts(V(scaled.m - Scalar<V>(1)));
+  const V n = functions::to_floating<V>(scaled.k);
   const V value = n * F::ln2_high - ((parts.remainder - n * F::ln2_low) - parts.f);
   return functions::only_where(
       (x > Scalar<V>(0)) & (x < std::numeric_limits<Scalar<V>>::infinity()), value);
