@@ -82,13 +82,15 @@ WHERE problem = ? AND program = ? AND association = ? AND resolution = ? AND sol
   AND tolerance = ? AND scene_hash = ?
 )";
 
-constexpr const char* all_points = R"(
+constexpr const char* points_like_a_run = R"(
 SELECT
   problem, program, association, law, element, quadrature, resolution, solver, tolerance,
   num_elements, num_dofs, error, value, process_seconds, process_seconds_min, cpu_seconds,
   mesh, kernels, setup, linearization, linear_solve, forces, output, solve_seconds,
   runs, scene, failure
 FROM points
+WHERE run IN (SELECT id FROM runs
+              WHERE processor = ? AND cores = ? AND compiler = ? AND version = ?)
 ORDER BY problem, program, association, solver, tolerance, num_dofs, resolution
 )";
 
@@ -208,8 +210,12 @@ std::optional<WorkPrecisionPoint> ResultsDatabase::find(const PointKey& key) con
   return read_point(select);
 }
 
-std::vector<WorkPrecisionPoint> ResultsDatabase::points() const {
-  SqliteStatement select(connection_->sqlite, all_points);
+std::vector<WorkPrecisionPoint> ResultsDatabase::points_like(const BenchRun& run) const {
+  SqliteStatement select(connection_->sqlite, points_like_a_run);
+  select.bind(run.processor);
+  select.bind(run.cores);
+  select.bind(run.compiler);
+  select.bind(run.version);
   std::vector<WorkPrecisionPoint> points;
   while (select.step()) points.push_back(read_point(select));
   return points;

@@ -63,8 +63,10 @@ class ResultsDatabase {
   /// The point with that key, the scene's hash included.
   [[nodiscard]] std::optional<WorkPrecisionPoint> find(const PointKey& key) const;
 
-  /// All points, ordered by problem, program, association, solver, tolerance and dofs.
-  [[nodiscard]] std::vector<WorkPrecisionPoint> points() const;
+  /// The points that may be compared with a run's: measured on the same processor with as many
+  /// cores, by the same compiler and version. Ordered by problem, program, association, solver,
+  /// tolerance and dofs.
+  [[nodiscard]] std::vector<WorkPrecisionPoint> points_like(const BenchRun& run) const;
 
   /// All runs, in the order of their beginning.
   [[nodiscard]] std::vector<BenchRun> runs() const;

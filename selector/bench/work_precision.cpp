@@ -354,7 +354,7 @@ void Benchmark::measure_calculix(const WorkPrecisionProblem& problem,
 }
 
 void Benchmark::report() {
-  const std::vector<WorkPrecisionPoint> points = database_.points();
+  const std::vector<WorkPrecisionPoint> points = database_.points_like(run_);
   write_points_csv(options_.out / "work_precision.csv", points);
   std::vector<ProblemText> texts;
   outcome_.sentences.clear();

@@ -72,8 +72,8 @@ TEST_F(Database, KeepsEveryMember) {
     database.insert(point, "hash");
   }
   const ResultsDatabase database(file);
-  ASSERT_EQ(database.points().size(), 1u);
-  expect_equal(database.points().front(), point);
+  ASSERT_EQ(database.points_like(run).size(), 1u);
+  expect_equal(database.points_like(run).front(), point);
   ASSERT_EQ(database.runs().size(), 1u);
   EXPECT_EQ(database.runs().front().started, run.started);
   EXPECT_EQ(database.runs().front().processor, run.processor);
@@ -110,8 +110,26 @@ TEST_F(Database, ReplacesAPointWhoseSceneChanged) {
   point.error = 0.25;
   database.insert(point, "new");
   EXPECT_FALSE(database.find(key_of(point, "old")).has_value());
-  ASSERT_EQ(database.points().size(), 1u);
-  EXPECT_EQ(database.points().front().error, 0.25);
+  ASSERT_EQ(database.points_like(run).size(), 1u);
+  EXPECT_EQ(database.points_like(run).front().error, 0.25);
+}
+
+TEST_F(Database, TellsMachinesAndVersionsApart) {
+  ResultsDatabase database(file);
+  database.begin_run(run);
+  database.insert(sample_point(), "hash");
+  BenchRun later = run;
+  later.started += "later";
+  EXPECT_EQ(database.points_like(later).size(), 1u);
+  for (std::string BenchRun::*part :
+       {&BenchRun::processor, &BenchRun::compiler, &BenchRun::version}) {
+    BenchRun other = run;
+    other.*part += "x";
+    EXPECT_TRUE(database.points_like(other).empty());
+  }
+  BenchRun other = run;
+  ++other.cores;
+  EXPECT_TRUE(database.points_like(other).empty());
 }
 
 TEST_F(Database, KeepsAFailureWithoutAFigure) {
@@ -120,7 +138,7 @@ TEST_F(Database, KeepsAFailureWithoutAFigure) {
   ResultsDatabase database(file);
   database.begin_run(run);
   database.insert(point, "hash");
-  EXPECT_TRUE(std::isnan(database.points().front().error));
+  EXPECT_TRUE(std::isnan(database.points_like(run).front().error));
 }
 
 TEST_F(Database, LosesNothingWhenKilled) {
@@ -135,7 +153,7 @@ TEST_F(Database, LosesNothingWhenKilled) {
   int status = 0;
   waitpid(child, &status, 0);
   ASSERT_TRUE(WIFSIGNALED(status));
-  EXPECT_EQ(ResultsDatabase(file).points().size(), 1u);
+  EXPECT_EQ(ResultsDatabase(file).points_like(run).size(), 1u);
 }
 
 TEST_F(Database, RefusesWhatIsNoDatabase) {
