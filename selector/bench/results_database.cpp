@@ -62,37 +62,37 @@ PRAGMA user_version = 1;
 COMMIT;
 )";
 
-constexpr const char* insert_point = R"(
-INSERT OR REPLACE INTO points (run, scene_hash,
-  problem, program, association, law, element, quadrature, resolution, solver, tolerance,
-  num_elements, num_dofs, error, value, process_seconds, process_seconds_min, cpu_seconds,
-  mesh, kernels, setup, linearization, linear_solve, forces, output, solve_seconds,
-  runs, scene, failure)
-VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)
-)";
+/// "problem, program, ...": the members of a point, in the order in which they are bound and read.
+std::string point_columns() {
+  std::string columns;
+  const WorkPrecisionPoint names;
+  for_each_field(names, [&](const char* name, const auto&) {
+    columns += columns.empty() ? name : fmt::format(", {}", name);
+  });
+  return columns;
+}
 
-constexpr const char* find_point = R"(
-SELECT
-  problem, program, association, law, element, quadrature, resolution, solver, tolerance,
-  num_elements, num_dofs, error, value, process_seconds, process_seconds_min, cpu_seconds,
-  mesh, kernels, setup, linearization, linear_solve, forces, output, solve_seconds,
-  runs, scene, failure
-FROM points
-WHERE problem = ? AND program = ? AND association = ? AND resolution = ? AND solver = ?
-  AND tolerance = ? AND scene_hash = ?
-)";
+std::string insert_point() {
+  std::string values = "?, ?";  // run and hash
+  const WorkPrecisionPoint members;
+  for_each_field(members, [&](const char*, const auto&) { values += ", ?"; });
+  return fmt::format("INSERT OR REPLACE INTO points (run, scene_hash, {}) VALUES ({})",
+                     point_columns(), values);
+}
 
-constexpr const char* points_like_a_run = R"(
-SELECT
-  problem, program, association, law, element, quadrature, resolution, solver, tolerance,
-  num_elements, num_dofs, error, value, process_seconds, process_seconds_min, cpu_seconds,
-  mesh, kernels, setup, linearization, linear_solve, forces, output, solve_seconds,
-  runs, scene, failure
-FROM points
-WHERE run IN (SELECT id FROM runs
-              WHERE processor = ? AND cores = ? AND compiler = ? AND version = ?)
-ORDER BY problem, program, association, solver, tolerance, num_dofs, resolution
-)";
+/// @param condition  SQL of our own, what follows FROM points
+std::string select_points(const char* condition) {
+  return fmt::format("SELECT {} FROM points {}", point_columns(), condition);
+}
+
+constexpr const char* with_key =
+    "WHERE problem = ? AND program = ? AND association = ? AND resolution = ? AND solver = ? "
+    "AND tolerance = ? AND scene_hash = ?";
+
+constexpr const char* like_a_run =
+    "WHERE run IN (SELECT id FROM runs "
+    "WHERE processor = ? AND cores = ? AND compiler = ? AND version = ?) "
+    "ORDER BY problem, program, association, solver, tolerance, num_dofs, resolution";
 
 static_assert(application_id == 1162311536 && schema_version == 1, "as in the schema");
 
@@ -190,7 +190,7 @@ void ResultsDatabase::begin_run(const BenchRun& run) {
 
 void ResultsDatabase::insert(const WorkPrecisionPoint& point, const std::string& scene_hash) {
   if (run_ == 0) throw InternalError("a benchmark's point was kept before its run was noted");
-  SqliteStatement insert(connection_->sqlite, insert_point);
+  SqliteStatement insert(connection_->sqlite, insert_point().c_str());
   insert.bind(run_);
   insert.bind(scene_hash);
   for_each_field(point, [&](const char*, const auto& member) { insert.bind(member); });
@@ -198,7 +198,7 @@ void ResultsDatabase::insert(const WorkPrecisionPoint& point, const std::string&
 }
 
 std::optional<WorkPrecisionPoint> ResultsDatabase::find(const PointKey& key) const {
-  SqliteStatement select(connection_->sqlite, find_point);
+  SqliteStatement select(connection_->sqlite, select_points(with_key).c_str());
   select.bind(key.problem);
   select.bind(key.program);
   select.bind(key.association);
@@ -211,7 +211,7 @@ std::optional<WorkPrecisionPoint> ResultsDatabase::find(const PointKey& key) con
 }
 
 std::vector<WorkPrecisionPoint> ResultsDatabase::points_like(const BenchRun& run) const {
-  SqliteStatement select(connection_->sqlite, points_like_a_run);
+  SqliteStatement select(connection_->sqlite, select_points(like_a_run).c_str());
   select.bind(run.processor);
   select.bind(run.cores);
   select.bind(run.compiler);

@@ -11,8 +11,6 @@
 namespace elastogen::selector {
 namespace {
 
-constexpr double long_run = 2;  // seconds
-
 /// The last line of a program's output that says something.
 std::string last_line(const std::string& output) {
   const std::size_t end = output.find_last_not_of("\n ");
@@ -89,7 +87,7 @@ SolvedScene run_scene(const std::filesystem::path& scene, const SceneProcess& ho
   std::vector<TimedRun> runs;
   while (true) {
     TimedRun run = {run_once(scene, how, how.time_limit), read_summary(how.results)};
-    const bool is_long = run.process.wall_seconds > long_run;
+    const bool is_long = run.process.wall_seconds > long_run_seconds;
     runs.push_back(std::move(run));
     if (is_long || static_cast<int>(runs.size()) >= how.runs) break;
   }

@@ -10,6 +10,9 @@
 
 namespace elastogen::selector {
 
+/// A run that takes longer is not repeated for its median.
+inline constexpr double long_run_seconds = 2;
+
 /// How scenes are run.
 struct SceneProcess {
   std::filesystem::path results;  ///< folder for a run's results, overwritten

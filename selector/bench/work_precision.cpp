@@ -100,6 +100,23 @@ void check_options(const WorkPrecisionOptions& options,
   }
 }
 
+/// Fills in what `measure` finds, or why it finds nothing.
+/// @return false when it took too long
+template <class Measure>
+bool try_measure(WorkPrecisionPoint& point, const Measure& measure) {
+  try {
+    const Measurement measurement = measure();
+    point.value = measurement.value;
+    point.error = measurement.error;
+  } catch (const TookTooLong& error) {
+    point.failure = error.what();
+    return false;
+  } catch (const WorkError& error) {
+    point.failure = error.what();
+  }
+  return true;
+}
+
 class Benchmark {
  public:
   Benchmark(const WorkPrecisionOptions& options,
@@ -262,19 +279,13 @@ void Benchmark::measure(const WorkPrecisionProblem& problem, const WorkPrecision
   const SolvedScene* reference = reference_of(problem, point.law);
   const fs::path scene = write_scene(file_name(name, choice), text);
   point.scene = fs::relative(scene, options_.out).string();
-  try {
-    SceneProcess how = process(options_.out / "last_run");
-    // The first and coarsest mesh of a series.
-    how.makes_kernels = with_kernels_.insert(series).second;
-    const SolvedScene solved = run_scene(scene, how, point);
-    const Measurement measurement = problem.measure(choice, solved, reference);
-    point.value = measurement.value;
-    point.error = measurement.error;
-  } catch (const TookTooLong& error) {
+  if (!try_measure(point, [&] {
+        SceneProcess how = process(options_.out / "last_run");
+        // The first and coarsest mesh of a series.
+        how.makes_kernels = with_kernels_.insert(series).second;
+        return problem.measure(choice, run_scene(scene, how, point), reference);
+      })) {
     too_slow.insert(series);
-    point.failure = error.what();
-  } catch (const WorkError& error) {
-    point.failure = error.what();
   }
   // Ctrl-C ends the process that is measured, too: that is no figure.
   if (!options_.interrupted()) keep(point, hash);
@@ -326,29 +337,25 @@ void Benchmark::measure_calculix(const WorkPrecisionProblem& problem,
   point.scene = (fs::path("decks") / (deck_name + ".inp")).string();
   point.num_elements = prepared.mesh.mesh.num_elements();
   point.num_dofs = prepared.constraints.num_dofs();
-  try {
-    std::vector<std::pair<double, double>> times;  // wall, CPU
-    SolvedScene solved;
-    do {
-      CalculixResult result =
-          elastogen::selector::run_calculix(deck, options_.out / "decks", deck_name);
-      times.emplace_back(result.wall_seconds, result.cpu_seconds);
-      point.solver = result.solver;
-      solved.displacements = std::move(result.displacement);
-    } while (static_cast<int>(times.size()) < options_.runs && times.back().first < 2);
-    std::sort(times.begin(), times.end());
-    point.runs = static_cast<int>(times.size());
-    std::tie(point.process_seconds, point.cpu_seconds) = times[times.size() / 2];
-    point.process_seconds_min = times.front().first;
-    solved.positions = prepared.mesh.mesh.positions;
-    const Measurement measurement = problem.measure(choice, solved, reference);
-    point.value = measurement.value;
-    point.error = measurement.error;
-  } catch (const TookTooLong& error) {
+  if (!try_measure(point, [&] {
+        std::vector<std::pair<double, double>> times;  // wall, CPU
+        SolvedScene solved;
+        do {
+          CalculixResult result =
+              elastogen::selector::run_calculix(deck, options_.out / "decks", deck_name);
+          times.emplace_back(result.wall_seconds, result.cpu_seconds);
+          point.solver = result.solver;
+          solved.displacements = std::move(result.displacement);
+        } while (static_cast<int>(times.size()) < options_.runs &&
+                 times.back().first <= long_run_seconds);
+        std::sort(times.begin(), times.end());
+        point.runs = static_cast<int>(times.size());
+        std::tie(point.process_seconds, point.cpu_seconds) = times[times.size() / 2];
+        point.process_seconds_min = times.front().first;
+        solved.positions = prepared.mesh.mesh.positions;
+        return problem.measure(choice, solved, reference);
+      })) {
     too_slow.insert(series);
-    point.failure = error.what();
-  } catch (const WorkError& error) {
-    point.failure = error.what();
   }
   if (!options_.interrupted()) keep(point, hash);
 }
