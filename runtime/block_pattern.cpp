@@ -11,11 +11,11 @@ namespace elastogen {
 namespace {
 
 // Calls visit(group, lane index k, node numbers of that element) for every element.
-template <class Visit>
-void for_each_element(const std::vector<ElementGroup>& groups, Visit&& visit) {
+template <class Scalar, class Visit>
+void for_each_element(const std::vector<ElementGroup<Scalar>>& groups, Visit&& visit) {
   std::vector<std::int32_t> nodes;
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    const ElementGroup& group = groups[g];
+    const ElementGroup<Scalar>& group = groups[g];
     const std::size_t lanes = static_cast<std::size_t>(group.lanes);
     const std::size_t n = static_cast<std::size_t>(group.num_nodes);
     nodes.resize(n);
@@ -29,8 +29,9 @@ void for_each_element(const std::vector<ElementGroup>& groups, Visit&& visit) {
 }
 
 // Neighbours of each node (itself included), ascending.
-std::vector<std::vector<std::int32_t>> node_neighbours(const std::vector<ElementGroup>& groups,
-                                                       std::size_t num_nodes) {
+template <class Scalar>
+std::vector<std::vector<std::int32_t>> node_neighbours(
+    const std::vector<ElementGroup<Scalar>>& groups, std::size_t num_nodes) {
   std::vector<std::vector<std::int32_t>> neighbours(num_nodes);
   for_each_element(groups, [&](std::size_t, std::size_t, const std::vector<std::int32_t>& nodes) {
     for (const std::int32_t a : nodes) {
@@ -46,7 +47,9 @@ std::vector<std::vector<std::int32_t>> node_neighbours(const std::vector<Element
 
 }  // namespace
 
-BlockPattern::BlockPattern(const std::vector<ElementGroup>& groups, std::size_t num_nodes, int dim)
+template <class Scalar>
+BlockPattern::BlockPattern(const std::vector<ElementGroup<Scalar>>& groups, std::size_t num_nodes,
+                           int dim)
     : dim_(dim) {
   const std::vector<std::vector<std::int32_t>> neighbours = node_neighbours(groups, num_nodes);
   std::size_t num_blocks = 0;
@@ -71,7 +74,7 @@ BlockPattern::BlockPattern(const std::vector<ElementGroup>& groups, std::size_t 
     }
   }
 
-  for (const ElementGroup& group : groups) {
+  for (const ElementGroup<Scalar>& group : groups) {
     const std::size_t n = static_cast<std::size_t>(group.num_nodes);
     slots_.emplace_back(group.num_elements * n * n);
   }
@@ -104,5 +107,8 @@ void BlockPattern::shape(Eigen::SparseMatrix<double>& matrix) const {
   std::copy(inner_.begin(), inner_.end(), matrix.innerIndexPtr());
   std::fill_n(matrix.valuePtr(), values, 0.0);
 }
+
+template BlockPattern::BlockPattern(const std::vector<ElementGroup<double>>&, std::size_t, int);
+template BlockPattern::BlockPattern(const std::vector<ElementGroup<float>>&, std::size_t, int);
 
 }  // namespace elastogen

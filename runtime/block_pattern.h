@@ -14,7 +14,8 @@ namespace elastogen {
 /// in row (b, i) and column (a, j) is values[slot(a, b) + j * column_length(node of a) + i].
 class BlockPattern {
  public:
-  BlockPattern(const std::vector<ElementGroup>& groups, std::size_t num_nodes, int dim);
+  template <class Scalar>
+  BlockPattern(const std::vector<ElementGroup<Scalar>>& groups, std::size_t num_nodes, int dim);
 
   /// Gives a matrix this pattern with values 0; leaves a matrix that has it alone.
   void shape(Eigen::SparseMatrix<double>& matrix) const;

@@ -20,18 +20,20 @@ std::vector<std::size_t> batch_order(std::size_t num_elements, std::size_t lanes
 
 }  // namespace
 
-std::size_t ElementGroup::bytes_per_element() const {
+template <class Scalar>
+std::size_t ElementGroup<Scalar>::bytes_per_element() const {
   const std::size_t vectors =
       kernels->reads_positions ? static_cast<std::size_t>(num_nodes * dim) : 0;
   const std::size_t stored_state = state.empty() ? 0 : static_cast<std::size_t>(kernels->num_state);
   return static_cast<std::size_t>(num_nodes) * sizeof(std::int32_t) +
          (vectors + static_cast<std::size_t>(kernels->num_constants) + stored_state) *
-             sizeof(double);
+             sizeof(Scalar);
 }
 
-KernelArguments<double> ElementGroup::arguments(std::size_t batch) const {
+template <class Scalar>
+KernelArguments<Scalar> ElementGroup<Scalar>::arguments(std::size_t batch) const {
   const std::size_t l = static_cast<std::size_t>(lanes);
-  KernelArguments<double> result;
+  KernelArguments<Scalar> result;
   if (!positions.empty()) result.positions = positions.data() + batch * values_per_batch();
   result.parameters = parameters.data();
   result.constants =
@@ -42,9 +44,11 @@ KernelArguments<double> ElementGroup::arguments(std::size_t batch) const {
   return result;
 }
 
-ElementGroup make_element_group(const Mesh& mesh, const ElementGroupSource& source) {
+template <class Scalar>
+ElementGroup<Scalar> make_element_group(const Mesh& mesh,
+                                        const ElementGroupSource<Scalar>& source) {
   const ElementBlock& block = mesh.blocks[source.block];
-  ElementGroup group;
+  ElementGroup<Scalar> group;
   group.part = source.part;
   group.block = source.block;
   group.table = source.table;
@@ -53,7 +57,7 @@ ElementGroup make_element_group(const Mesh& mesh, const ElementGroupSource& sour
   group.num_nodes = source.table->num_nodes;
   group.lanes = source.table->lanes;
   group.density = source.density;
-  group.parameters.assign(source.parameters.begin(), source.parameters.end());
+  for (const double p : source.parameters) group.parameters.push_back(static_cast<Scalar>(p));
   group.num_elements = source.elements.size();
 
   const std::size_t lanes = static_cast<std::size_t>(group.lanes);
@@ -77,29 +81,32 @@ ElementGroup make_element_group(const Mesh& mesh, const ElementGroupSource& sour
               : static_cast<std::size_t>(source.node_order[order[k] * nodes + a]);
       const std::int32_t dof = element_nodes[own] * group.dim;
       group.dofs[(batch * nodes + a) * lanes + lane] = dof;
+      const auto first = static_cast<std::size_t>(group.dofs[batch * nodes * lanes + lane]);
       for (std::size_t i = 0; i < dim; ++i) {
-        group.positions[((batch * nodes + a) * dim + i) * lanes + lane] =
-            mesh.positions[static_cast<std::size_t>(dof) + i];
+        group.positions[((batch * nodes + a) * dim + i) * lanes + lane] = static_cast<Scalar>(
+            mesh.positions[static_cast<std::size_t>(dof) + i] - mesh.positions[first + i]);
       }
     }
   }
   return group;
 }
 
-void compute_constants(ElementGroup& group, int threads) {
+template <class Scalar>
+void compute_constants(ElementGroup<Scalar>& group, int threads) {
   const std::size_t per_batch = static_cast<std::size_t>(group.kernels->num_constants) *
                                 static_cast<std::size_t>(group.lanes);
   group.constants.resize(group.num_batches * per_batch);
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t batch = 0; batch < group.num_batches; ++batch) {
-    KernelArguments<double> arguments = group.arguments(batch);
+    KernelArguments<Scalar> arguments = group.arguments(batch);
     arguments.output = group.constants.data() + batch * per_batch;
     group.kernels->constants(arguments);
   }
   if (!group.kernels->reads_positions) group.positions = {};
 }
 
-ElementStatus batch_status(const ElementGroup& group, std::size_t batch,
+template <class Scalar>
+ElementStatus batch_status(const ElementGroup<Scalar>& group, std::size_t batch,
                            const std::uint32_t* flags) {
   ElementStatus first;
   for (int l = 0; l < group.used_lanes(batch); ++l) {
@@ -110,5 +117,14 @@ ElementStatus batch_status(const ElementGroup& group, std::size_t batch,
   }
   return first;
 }
+
+template struct ElementGroup<double>;
+template struct ElementGroup<float>;
+template ElementGroup<double> make_element_group(const Mesh&, const ElementGroupSource<double>&);
+template ElementGroup<float> make_element_group(const Mesh&, const ElementGroupSource<float>&);
+template void compute_constants(ElementGroup<double>&, int);
+template void compute_constants(ElementGroup<float>&, int);
+template ElementStatus batch_status(const ElementGroup<double>&, std::size_t, const std::uint32_t*);
+template ElementStatus batch_status(const ElementGroup<float>&, std::size_t, const std::uint32_t*);
 
 }  // namespace elastogen

@@ -1,71 +1,21 @@
 #include "runtime/model.h"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "runtime/element_group.h"
-#include "runtime/element_pass.h"
+#include "runtime/element_system.h"
 #include "runtime/error.h"
 #include "runtime/model_parts.h"
 #include "runtime/rest_geometry.h"
-#include "runtime/stiffness_assembly.h"
-#include "runtime/thread_plan.h"
 
 namespace elastogen {
 namespace {
-
-// Sum whose error does not grow with the number of terms: the line search compares energies that
-// differ in their last digits. (Neumaier, ZAMM 54 (1974) 39-51.)
-struct CompensatedSum {
-  double sum = 0;
-  double lost = 0;
-
-  void add(double value) {
-    const double next = sum + value;
-    lost += std::abs(sum) >= std::abs(value) ? (sum - next) + value : (value - next) + sum;
-    sum = next;
-  }
-  [[nodiscard]] double value() const { return sum + lost; }
-};
-
-int count_threads(int asked, const std::vector<ElementGroup>& groups) {
-  if (asked < 0) throw InputError(fmt::format("threads = {}; must be 0 (all) or more", asked));
-  return asked > 0 ? asked : useful_threads(groups, omp_get_max_threads());
-}
-
-void require_kernel(const std::vector<ElementGroup>& groups,
-                    KernelFunction<double> VariantTable<double>::*kernel, const char* name) {
-  for (const ElementGroup& group : groups) {
-    if (group.kernels->*kernel != nullptr) continue;
-    throw InternalError(fmt::format("kernels of {} ({}) were generated without the operation '{}'",
-                                    group.table->association, group.kernels->geometry, name));
-  }
-}
-
-// Adds the diagonal blocks of one batch of element matrices to node_blocks, which starts at node
-// node_begin.
-template <class Layout>
-void add_diagonal_blocks(const ElementGroup& group, std::size_t batch, const double* matrices,
-                         std::int32_t node_begin, double* node_blocks) {
-  constexpr int dim = Layout::dim;
-  constexpr int lanes = Layout::lanes;
-  const int n = group.num_nodes;
-  const std::int32_t* dofs = group.dofs.data() + batch * static_cast<std::size_t>(n * lanes);
-  for (int a = 0; a < n; ++a) {
-    for (int l = 0; l < group.used_lanes(batch); ++l) {
-      double* block = node_blocks + (dofs[a * lanes + l] / dim - node_begin) * dim * dim;
-      for (int i = 0; i < dim; ++i) {
-        const double* row = matrices + ((a * dim + i) * n + a) * dim * lanes + l;
-        for (int j = 0; j < dim; ++j) block[i * dim + j] += row[j * lanes];
-      }
-    }
-  }
-}
 
 const char* status_text(std::uint32_t flags) {
   if ((flags & status_outside_domain) != 0) {
@@ -76,22 +26,50 @@ const char* status_text(std::uint32_t flags) {
   return "its result is not finite";
 }
 
+template <class Scalar>
+const ElementGroup<Scalar>* find_element(const std::vector<ElementGroup<Scalar>>& groups,
+                                         std::size_t element, std::size_t& k) {
+  for (const ElementGroup<Scalar>& group : groups) {
+    for (k = 0; k < group.num_elements; ++k) {
+      if (static_cast<std::size_t>(group.elements[k]) == element) return &group;
+    }
+  }
+  return nullptr;
+}
+
+template <class Scalar>
+GroupSummary summary_of(const ElementGroup<Scalar>& group) {
+  GroupSummary s;
+  s.association = group.table->association;
+  s.element = group.table->element;
+  s.geometry = group.kernels->geometry;
+  s.scalar = std::is_same_v<Scalar, double> ? "double" : "float";
+  s.part = group.part;
+  s.num_elements = group.num_elements;
+  s.num_batches = group.num_batches;
+  s.lanes = group.lanes;
+  s.num_constants = group.kernels->num_constants;
+  s.num_state = group.state.empty() ? 0 : group.kernels->num_state;
+  s.bytes_per_element = group.bytes_per_element();
+  return s;
+}
+
 }  // namespace
+
+std::string_view precision_name(Precision precision) {
+  constexpr std::array<std::string_view, 3> names = {"double", "mixed", "single"};
+  return names[static_cast<std::size_t>(precision)];
+}
 
 struct Model::Data {
   int dim = 3;
   std::size_t num_nodes = 0;
   std::size_t num_elements = 0;
+  ModelOptions options;
   int threads = 1;
-  TangentProduct tangent_product = TangentProduct::recompute;
-  std::vector<ElementGroup> groups;
-  std::vector<ThreadShare> shares;      // [thread]
-  std::vector<Workspace> workspaces;    // [thread]
-  std::vector<ElementStatus> statuses;  // [thread]
-  std::vector<CompensatedSum> sums;     // [thread]
-  std::optional<NodeAccumulator> accumulator;
-  std::optional<StiffnessAssembly> assembly;  // made when first needed
-  Eigen::SparseMatrix<double> stiffness;      // where has_stiffness()
+  std::optional<ElementSystem<double>> in_double;  // unless single precision
+  std::optional<ElementSystem<float>> in_single;   // unless double precision
+  Eigen::SparseMatrix<double> stiffness;           // where has_stiffness()
   TangentForm form = TangentForm::exact;
   Vector displacement;  // linearisation point
   std::vector<double> element_volumes, nodal_volumes, nodal_mass, lumped_mass;
@@ -105,84 +83,33 @@ struct Model::Data {
                                     length, num_dofs()));
   }
 
-  void merge_statuses() {
-    status = {};
-    for (const ElementStatus& s : statuses) status.merge(s);
+  // Calls `function` with the elements that give energies and forces, or those of the tangent.
+  template <class Function>
+  auto with_forces(Function&& function) {
+    return in_double ? function(*in_double) : function(*in_single);
+  }
+  template <class Function>
+  auto with_tangent(Function&& function) {
+    return in_single ? function(*in_single) : function(*in_double);
   }
 
-  StiffnessAssembly& stiffness_assembly() {
-    if (!assembly) assembly.emplace(groups, num_nodes, dim, threads);
-    return *assembly;
+  template <class Scalar>
+  void make_system(std::optional<ElementSystem<Scalar>>& system,
+                   std::vector<ElementGroup<Scalar>> groups, bool has_tangent) {
+    const bool two_stage = has_tangent && options.tangent_product == TangentProduct::two_stage;
+    system.emplace(std::move(groups), num_nodes, dim, threads, two_stage);
+    threads = system->num_threads();
   }
 
   // Whether products are those of the assembled stiffness.
   [[nodiscard]] bool has_stiffness() const {
-    return form == TangentForm::semidefinite || tangent_product == TangentProduct::assembled;
+    return form == TangentForm::semidefinite ||
+           options.tangent_product == TangentProduct::assembled;
   }
 
   void assemble(Eigen::SparseMatrix<double>& matrix) {
-    require_kernel(groups, &VariantTable<double>::stiffness, "stiffness");
-    stiffness_assembly().pattern().shape(matrix);
-    status = stiffness_assembly().run(groups, displacement.data(), form, matrix.valuePtr());
-  }
-
-  // Runs a pass whose kernels give numbers per element node and sums them into `out`.
-  void add_nodal(const ElementPass& pass, double* out) {
-    accumulator->run(shares, dim, out, [&](int s, std::int32_t node_begin, double* array) {
-      const std::size_t thread = static_cast<std::size_t>(s);
-      const std::int32_t offset = node_begin * dim;
-      statuses[thread] = run_pass(
-          groups, shares[thread], pass, dim, workspaces[thread],
-          [&](auto layout, const ElementGroup& group, std::size_t batch, const double* value) {
-            const std::size_t per_batch = static_cast<std::size_t>(group.num_nodes * layout.lanes);
-            layout.scatter(group.dofs.data() + batch * per_batch, group.num_nodes,
-                           group.used_lanes(batch), value, offset, array);
-          });
-    });
-    merge_statuses();
-  }
-
-  // Runs the energy kernel; `consume(thread, group, batch, energies)` takes each batch's result.
-  template <class Consume>
-  void for_each_energy(const double* u, Consume&& consume) {
-    require_kernel(groups, &VariantTable<double>::energy, "energy");
-    ElementPass pass;
-    pass.kernel = &VariantTable<double>::energy;
-    pass.displacement = u;
-#pragma omp parallel for schedule(static, 1) num_threads(threads)
-    for (int s = 0; s < threads; ++s) {
-      const std::size_t thread = static_cast<std::size_t>(s);
-      statuses[thread] =
-          run_pass(groups, shares[thread], pass, 0, workspaces[thread],
-                   [&](auto, const ElementGroup& group, std::size_t batch, const double* energies) {
-                     consume(thread, group, batch, energies);
-                   });
-    }
-    merge_statuses();
-  }
-
-  void store_states() {
-    ElementPass pass;
-    pass.kernel = &VariantTable<double>::linearize;
-    pass.displacement = displacement.data();
-#pragma omp parallel for schedule(static, 1) num_threads(threads)
-    for (int s = 0; s < threads; ++s) {
-      const std::size_t thread = static_cast<std::size_t>(s);
-      ElementStatus first;
-      for (const BatchRange& range : shares[thread].ranges) {
-        ElementGroup& group = groups[range.group];
-        with_layout(group, [&](auto layout) {
-          const std::size_t size =
-              static_cast<std::size_t>(group.kernels->num_state * layout.lanes);
-          for (std::size_t batch = range.begin; batch < range.end; ++batch) {
-            first.merge(compute_batch<decltype(layout)>(group, batch, pass, workspaces[thread],
-                                                        group.state.data() + batch * size));
-          }
-        });
-      }
-      statuses[thread] = first;
-    }
-    merge_statuses();
+    status = with_tangent(
+        [&](auto& elements) { return elements.assemble(displacement.data(), form, matrix); });
   }
 
   // df -= scale * K v. K is symmetric, so a row is a column: every value is written by one thread.
@@ -203,9 +130,11 @@ struct Model::Data {
 Model::Model(const Mesh& mesh, std::span<const ModelPart> parts, const ModelOptions& options)
     : data_(std::make_unique<Data>()) {
   Data& d = *data_;
-  d.tangent_product = options.tangent_product;
-  d.groups = make_element_groups(mesh, parts, options.tangent_product);
-  d.threads = count_threads(options.threads, d.groups);
+  d.options = options;
+  d.threads = options.threads;
+  const bool mixed = options.precision == Precision::mixed;
+  check_parts(mesh, parts, options);
+  std::vector<ElementGroup<double>> groups = make_element_groups<double>(mesh, parts);
   d.dim = mesh.dim;
   d.num_nodes = mesh.num_nodes();
   d.num_elements = mesh.num_elements();
@@ -213,19 +142,16 @@ Model::Model(const Mesh& mesh, std::span<const ModelPart> parts, const ModelOpti
   d.nodal_mass.assign(d.num_nodes, 0.0);
   d.lumped_mass.assign(d.num_nodes, 0.0);
   d.element_volumes.assign(d.num_elements, 0.0);
-  for (ElementGroup& group : d.groups) {
-    measure_rest_shapes(group, {d.nodal_volumes, d.nodal_mass, d.lumped_mass, d.element_volumes});
-    compute_constants(group, d.threads);
-    if (options.tangent_product == TangentProduct::two_stage) {
-      group.state.resize(group.num_batches * static_cast<std::size_t>(group.lanes) *
-                         static_cast<std::size_t>(group.kernels->num_state));
-    }
+  for (const ElementGroup<double>& group : groups) {
+    measure_rest_shapes(group, mesh,
+                        {d.nodal_volumes, d.nodal_mass, d.lumped_mass, d.element_volumes});
   }
-  d.shares = plan_threads(d.groups, d.threads);
-  d.workspaces.assign(d.shares.size(), Workspace(d.groups, true));
-  d.statuses.resize(d.shares.size());
-  d.sums.resize(d.shares.size());
-  d.accumulator.emplace(d.shares, d.dim * d.dim);
+  if (options.precision != Precision::single_precision) {
+    d.make_system(d.in_double, std::move(groups), !mixed);
+  }
+  if (options.precision != Precision::double_precision) {
+    d.make_system(d.in_single, make_element_groups<float>(mesh, parts), true);
+  }
   d.displacement = Vector::Zero(static_cast<Eigen::Index>(d.num_dofs()));
   if (options.tangent_product != TangentProduct::recompute) linearize(Vector(d.displacement));
 }
@@ -239,52 +165,40 @@ std::size_t Model::num_nodes() const { return data_->num_nodes; }
 std::size_t Model::num_dofs() const { return data_->num_dofs(); }
 std::size_t Model::num_elements() const { return data_->num_elements; }
 int Model::num_threads() const { return data_->threads; }
-TangentProduct Model::tangent_product() const { return data_->tangent_product; }
+TangentProduct Model::tangent_product() const { return data_->options.tangent_product; }
+Precision Model::precision() const { return data_->options.precision; }
 const ElementStatus& Model::status() const { return data_->status; }
 std::span<const double> Model::element_volumes() const { return data_->element_volumes; }
 std::span<const double> Model::nodal_volumes() const { return data_->nodal_volumes; }
 std::span<const double> Model::nodal_mass() const { return data_->nodal_mass; }
 std::span<const double> Model::lumped_mass() const { return data_->lumped_mass; }
 
+double Model::epsilon() const {
+  return precision() == Precision::single_precision ? std::numeric_limits<float>::epsilon()
+                                                    : std::numeric_limits<double>::epsilon();
+}
+
 double Model::energy(const ConstVectorRef& u) {
   Data& d = *data_;
   d.check_length(u.size(), "the displacement");
-  std::vector<CompensatedSum>& sums = d.sums;
-  std::fill(sums.begin(), sums.end(), CompensatedSum{});
-  d.for_each_energy(u.data(), [&](std::size_t thread, const ElementGroup& group, std::size_t batch,
-                                  const double* energies) {
-    double sum = 0;
-    for (int l = 0; l < group.used_lanes(batch); ++l) sum += energies[l];
-    sums[thread].add(sum);
-  });
-  CompensatedSum total;
-  for (const CompensatedSum& sum : sums) total.add(sum.value());
-  return total.value();
+  double energy = 0;
+  d.status = d.with_forces([&](auto& elements) { return elements.energy(u.data(), energy); });
+  return energy;
 }
 
 void Model::element_energies(const ConstVectorRef& u, std::vector<double>& energies) {
   Data& d = *data_;
   d.check_length(u.size(), "the displacement");
   energies.resize(d.num_elements);
-  d.for_each_energy(u.data(), [&](std::size_t, const ElementGroup& group, std::size_t batch,
-                                  const double* values) {
-    const std::int32_t* elements =
-        group.elements.data() + batch * static_cast<std::size_t>(group.lanes);
-    for (int l = 0; l < group.used_lanes(batch); ++l) {
-      energies[static_cast<std::size_t>(elements[l])] = values[l];
-    }
-  });
+  d.status = d.with_forces(
+      [&](auto& elements) { return elements.element_energies(u.data(), energies.data()); });
 }
 
 void Model::forces(const ConstVectorRef& u, VectorRef f) {
   Data& d = *data_;
   d.check_length(u.size(), "the displacement");
   d.check_length(f.size(), "the force vector");
-  require_kernel(d.groups, &VariantTable<double>::forces, "forces");
-  ElementPass pass;
-  pass.kernel = &VariantTable<double>::forces;
-  pass.displacement = u.data();
-  d.add_nodal(pass, f.data());
+  d.status = d.with_forces([&](auto& elements) { return elements.forces(u.data(), f.data()); });
 }
 
 void Model::linearize(const ConstVectorRef& u, TangentForm form) {
@@ -295,8 +209,9 @@ void Model::linearize(const ConstVectorRef& u, TangentForm form) {
   d.status = {};
   if (d.has_stiffness()) {
     d.assemble(d.stiffness);
-  } else if (d.tangent_product == TangentProduct::two_stage) {
-    d.store_states();
+  } else if (tangent_product() == TangentProduct::two_stage) {
+    d.status = d.with_tangent(
+        [&](auto& elements) { return elements.store_states(d.displacement.data()); });
   }
 }
 
@@ -304,19 +219,15 @@ void Model::product(const ConstVectorRef& v, double scale, VectorRef df) {
   Data& d = *data_;
   d.check_length(v.size(), "the direction");
   d.check_length(df.size(), "the product");
-  ElementPass pass;
-  pass.direction = v.data();
-  pass.scale = scale;
-  switch (d.has_stiffness() ? TangentProduct::assembled : d.tangent_product) {
+  switch (d.has_stiffness() ? TangentProduct::assembled : tangent_product()) {
     case TangentProduct::recompute:
-      require_kernel(d.groups, &VariantTable<double>::product, "product");
-      pass.kernel = &VariantTable<double>::product;
-      pass.displacement = d.displacement.data();
-      d.add_nodal(pass, df.data());
+      d.status = d.with_tangent([&](auto& elements) {
+        return elements.product(d.displacement.data(), v.data(), scale, df.data());
+      });
       break;
     case TangentProduct::two_stage:
-      pass.kernel = &VariantTable<double>::apply;
-      d.add_nodal(pass, df.data());
+      d.status = d.with_tangent(
+          [&](auto& elements) { return elements.apply(v.data(), scale, df.data()); });
       break;
     case TangentProduct::assembled:
       d.status = {};
@@ -332,13 +243,12 @@ void Model::assemble(Eigen::SparseMatrix<double>& stiffness) {
     return;
   }
   d.status = {};
-  d.stiffness_assembly().pattern().shape(stiffness);
+  d.with_tangent([&](auto& elements) { elements.shape(stiffness); });
   std::copy_n(d.stiffness.valuePtr(), d.stiffness.nonZeros(), stiffness.valuePtr());
 }
 
 void Model::diagonal_blocks(std::vector<double>& blocks) {
   Data& d = *data_;
-  require_kernel(d.groups, &VariantTable<double>::stiffness, "stiffness");
   const int per_node = d.dim * d.dim;
   blocks.assign(d.num_nodes * static_cast<std::size_t>(per_node), 0.0);
   if (d.form == TangentForm::semidefinite) {
@@ -350,59 +260,41 @@ void Model::diagonal_blocks(std::vector<double>& blocks) {
     }
     return;
   }
-  ElementPass pass;
-  pass.kernel = &VariantTable<double>::stiffness;
-  pass.displacement = d.displacement.data();
-  d.accumulator->run(
-      d.shares, per_node, blocks.data(), [&](int s, std::int32_t node_begin, double* array) {
-        const std::size_t thread = static_cast<std::size_t>(s);
-        // The kernels overwrite their matrices: nothing to clear beforehand (0 values per node).
-        d.statuses[thread] = run_pass(
-            d.groups, d.shares[thread], pass, 0, d.workspaces[thread],
-            [&](auto layout, const ElementGroup& group, std::size_t batch, const double* matrices) {
-              add_diagonal_blocks<decltype(layout)>(group, batch, matrices, node_begin, array);
-            });
-      });
-  d.merge_statuses();
+  d.status = d.with_tangent([&](auto& elements) {
+    return elements.diagonal_blocks(d.displacement.data(), blocks.data());
+  });
 }
 
 std::string Model::describe(const ElementStatus& status) const {
   if (status.ok()) return "every element is good";
-  for (const ElementGroup& group : data_->groups) {
-    for (std::size_t k = 0; k < group.num_elements; ++k) {
-      if (static_cast<std::size_t>(group.elements[k]) != status.element) continue;
-      return fmt::format("{}: {}", element_text(group, k), status_text(status.flags));
-    }
-  }
-  throw InternalError(fmt::format("no element {} in the model", status.element));
+  return data_->with_forces([&](auto& elements) {
+    std::size_t k = 0;
+    const auto* group = find_element(elements.groups(), status.element, k);
+    if (!group) throw InternalError(fmt::format("no element {} in the model", status.element));
+    return fmt::format("{}: {}", element_text(*group, k), status_text(status.flags));
+  });
 }
 
 std::vector<GroupSummary> Model::groups() const {
   std::vector<GroupSummary> summaries;
-  for (const ElementGroup& group : data_->groups) {
-    GroupSummary s;
-    s.association = group.table->association;
-    s.element = group.table->element;
-    s.geometry = group.kernels->geometry;
-    s.part = group.part;
-    s.num_elements = group.num_elements;
-    s.num_batches = group.num_batches;
-    s.lanes = group.lanes;
-    s.num_constants = group.kernels->num_constants;
-    s.num_state = group.state.empty() ? 0 : group.kernels->num_state;
-    s.bytes_per_element = group.bytes_per_element();
-    summaries.push_back(s);
-  }
+  const auto add = [&](const auto& elements) {
+    if (!elements) return;
+    for (const auto& group : elements->groups()) summaries.push_back(summary_of(group));
+  };
+  add(data_->in_double);
+  add(data_->in_single);
   return summaries;
 }
 
 std::vector<std::int32_t> Model::group_of_elements() const {
   std::vector<std::int32_t> result(data_->num_elements);
-  for (std::size_t g = 0; g < data_->groups.size(); ++g) {
-    for (const std::int32_t e : data_->groups[g].elements) {
-      result[static_cast<std::size_t>(e)] = static_cast<std::int32_t>(g);
+  data_->with_forces([&](auto& elements) {
+    for (std::size_t g = 0; g < elements.groups().size(); ++g) {
+      for (const std::int32_t e : elements.groups()[g].elements) {
+        result[static_cast<std::size_t>(e)] = static_cast<std::int32_t>(g);
+      }
     }
-  }
+  });
   return result;
 }
 

@@ -7,11 +7,13 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "runtime/element_status.h"
 #include "runtime/kernel_abi.h"
 #include "runtime/mesh.h"
+#include "runtime/tangent.h"
 #include "runtime/vector.h"
 
 namespace elastogen {
@@ -23,31 +25,32 @@ struct ModelPart {
   const KernelTable<double>* kernels = nullptr;  ///< must outlive the model
   std::vector<double> parameters;                ///< in the order of kernels->parameter_names
   double density = 0;                            ///< [kg/m^3], >= 0
+  /// Of the same association, for precisions other than double. Then `kernels` needs only the
+  /// operations that are in double: energy and forces, or none.
+  const KernelTable<float>* single_kernels = nullptr;
 };
 
 /// Indices of a block's elements that lie in a region (an index into Mesh::region_names).
 [[nodiscard]] std::vector<std::int32_t> elements_of_region(const ElementBlock& block,
                                                            std::int32_t region);
 
-/// How the product (df/dU) V is computed; all agree to rounding.
-enum class TangentProduct {
-  recompute,  ///< from the displacement, by the kernel `product`
-  two_stage,  ///< `linearize` stores state once, `apply` uses it in every product
-  assembled,  ///< `stiffness` is assembled once, every product is one with the sparse matrix
+/// Precision of the element kernels. Global vectors and matrices are of doubles in any case, and
+/// elements are summed in double.
+enum class Precision {
+  double_precision,
+  /// Energies and forces in double, what the tangent takes in single precision: Newton's method
+  /// comes to the same end, conjugate gradient's products take half the memory and lanes.
+  mixed,
+  single_precision,  ///< all: residuals cannot fall below about 1e-6 of the forces
 };
 
-/// What stands for the tangent about a linearisation point.
-enum class TangentForm {
-  exact,
-  /// The assembled stiffness with each element's matrix projected to a positive semi-definite one
-  /// (project_semidefinite.h): a direction of Newton's method that descends. Products are those of
-  /// the matrix, whatever TangentProduct says.
-  semidefinite,
-};
+/// "double", "mixed", "single"
+[[nodiscard]] std::string_view precision_name(Precision precision);
 
 struct ModelOptions {
   int threads = 0;  ///< OpenMP threads; 0: as many as OpenMP offers and the elements' work pays for
   TangentProduct tangent_product = TangentProduct::recompute;
+  Precision precision = Precision::double_precision;
 };
 
 /// Elements that are computed by the same kernels: one part and one geometry variant.
@@ -55,6 +58,7 @@ struct GroupSummary {
   std::string association;  ///< "stvk-hexa8-q8-none"
   std::string element;      ///< "hexa8"
   std::string geometry;     ///< "general", "affine", "box"
+  std::string scalar;       ///< "double", "float"; with Precision::mixed elements are in both
   std::size_t part = 0;     ///< index into the model's parts
   std::size_t num_elements = 0;
   std::size_t num_batches = 0;
@@ -86,7 +90,7 @@ class Model {
   ///                     density
   /// @throws InternalError  kernels of another ABI version or lane count, or without the
   ///                        operations `constants` and `geometry_measures`; two_stage without
-  ///                        `linearize` and `apply`
+  ///                        `linearize` and `apply`; no single_kernels where they are needed
   Model(const Mesh& mesh, std::span<const ModelPart> parts, const ModelOptions& options = {});
   ~Model();
   Model(Model&&) noexcept;
@@ -98,6 +102,10 @@ class Model {
   [[nodiscard]] std::size_t num_elements() const;
   [[nodiscard]] int num_threads() const;
   [[nodiscard]] TangentProduct tangent_product() const;
+  [[nodiscard]] Precision precision() const;
+
+  /// Rounding unit of the elements' energies and forces: 2.2e-16 or 1.2e-7.
+  [[nodiscard]] double epsilon() const;
 
   /// Elastic energy W(u) [J].
   [[nodiscard]] double energy(const ConstVectorRef& u);
@@ -113,8 +121,8 @@ class Model {
   void product(const ConstVectorRef& v, double scale, VectorRef df);
 
   /// K = d2W/dU2 about the linearisation point, or what stands for it (TangentForm) [N/m]:
-  /// symmetric, stored in full, compressed. The
-  /// matrix's pattern is made at the first call; a matrix of that pattern is filled in place.
+  /// symmetric, stored in full, compressed. The matrix's pattern is made at the first call; a
+  /// matrix of that pattern is filled in place.
   void assemble(Eigen::SparseMatrix<double>& stiffness);
 
   /// Diagonal blocks of K, one of dim x dim per node: blocks[(node * dim + i) * dim + j].
@@ -149,7 +157,7 @@ class Model {
   /// The groups in the order they are computed.
   [[nodiscard]] std::vector<GroupSummary> groups() const;
 
-  /// Association's position in groups() for each element, in mesh order.
+  /// Position in groups() for each element, in mesh order; with Precision::mixed of the double one.
   [[nodiscard]] std::vector<std::int32_t> group_of_elements() const;
 
  private:

@@ -57,7 +57,9 @@ void check_mesh(const Mesh& mesh) {
   }
 }
 
-void check_table(const KernelTable<double>& table, TangentProduct tangent_product) {
+/// @param two_stage  whether products will be two-stage ones with these kernels
+template <class Scalar>
+void check_table(const KernelTable<Scalar>& table, bool two_stage) {
   const auto fail = [&](const std::string& what) {
     throw InternalError(fmt::format("kernels of {}: {}", table.association, what));
   };
@@ -65,30 +67,47 @@ void check_table(const KernelTable<double>& table, TangentProduct tangent_produc
     fail(fmt::format("made for ABI version {}, this runtime has {}; generate them again",
                      table.abi_version, kernel_abi_version));
   }
-  if (table.lanes != 1 && table.lanes != batch_lanes<double>) {
-    fail(fmt::format("{} lanes; must be 1 or {}", table.lanes, batch_lanes<double>));
+  if (table.lanes != 1 && table.lanes != batch_lanes<Scalar>) {
+    fail(fmt::format("{} lanes; must be 1 or {}", table.lanes, batch_lanes<Scalar>));
   }
   if (find_variant(table, "general") == nullptr) fail("no variant 'general'");
   for (std::int32_t v = 0; v < table.num_variants; ++v) {
-    const VariantTable<double>& variant = table.variants[v];
+    const VariantTable<Scalar>& variant = table.variants[v];
     if (variant.constants == nullptr || variant.geometry_measures == nullptr) {
       fail(fmt::format("variant '{}' lacks constants or geometry_measures", variant.geometry));
     }
-    if (tangent_product == TangentProduct::two_stage &&
-        (variant.linearize == nullptr || variant.apply == nullptr)) {
+    if (two_stage && (variant.linearize == nullptr || variant.apply == nullptr)) {
       fail(fmt::format("variant '{}' lacks linearize or apply, which the two-stage product needs",
                        variant.geometry));
     }
   }
 }
 
+/// The kernels in single precision, of the same association as those in double.
+void check_single_kernels(const ModelPart& part, std::size_t number, bool two_stage) {
+  if (part.single_kernels == nullptr) {
+    throw InternalError(fmt::format("part {}: no kernels in single precision", number));
+  }
+  check_table(*part.single_kernels, two_stage);
+  if (std::string_view(part.single_kernels->hash) != part.kernels->hash) {
+    throw InternalError(
+        fmt::format("part {}: kernels in single precision are of {} with the hash {}, those in "
+                    "double of {} with {}",
+                    number, part.single_kernels->association, part.single_kernels->hash,
+                    part.kernels->association, part.kernels->hash));
+  }
+}
+
 void check_part(const Mesh& mesh, const ModelPart& part, std::size_t number,
-                TangentProduct tangent_product) {
+                const ModelOptions& options) {
   if (part.kernels == nullptr || part.block >= mesh.blocks.size()) {
     throw InternalError(fmt::format("part {}: no kernels, or no such block", number));
   }
   const KernelTable<double>& table = *part.kernels;
-  check_table(table, tangent_product);
+  const bool two_stage = options.tangent_product == TangentProduct::two_stage;
+  const bool in_double = options.precision == Precision::double_precision;
+  check_table(table, two_stage && in_double);
+  if (!in_double) check_single_kernels(part, number, two_stage);
   const ElementBlock& block = mesh.blocks[part.block];
   if (block.element != table.element || block.nodes_per_element != table.num_nodes ||
       mesh.dim != table.dim) {
@@ -145,19 +164,30 @@ void check_cover(const Mesh& mesh, std::span<const ModelPart> parts) {
 }
 
 /// Elements of a part that are computed by one geometry variant.
+template <class Scalar>
 struct VariantElements {
-  const VariantTable<double>* kernels = nullptr;
+  const VariantTable<Scalar>* kernels = nullptr;
   std::vector<std::int32_t> elements;
   std::vector<int> node_order;  // as ElementGroupSource::node_order
 };
 
-std::vector<VariantElements> special_variants(const KernelTable<double>& table) {
-  std::vector<VariantElements> variants;
+template <class Scalar>
+std::vector<VariantElements<Scalar>> special_variants(const KernelTable<Scalar>& table) {
+  std::vector<VariantElements<Scalar>> variants;
   for (std::int32_t v = 0; v < table.num_variants; ++v) {
-    const VariantTable<double>& variant = table.variants[v];
+    const VariantTable<Scalar>& variant = table.variants[v];
     if (std::string_view(variant.geometry) != "general") variants.push_back({&variant, {}, {}});
   }
   return variants;
+}
+
+template <class Scalar>
+const KernelTable<Scalar>& kernels_of(const ModelPart& part) {
+  if constexpr (std::is_same_v<Scalar, double>) {
+    return *part.kernels;
+  } else {
+    return *part.single_kernels;
+  }
 }
 
 }  // namespace
@@ -170,25 +200,29 @@ std::vector<std::int32_t> elements_of_region(const ElementBlock& block, std::int
   return elements;
 }
 
-std::vector<ElementGroup> make_element_groups(const Mesh& mesh, std::span<const ModelPart> parts,
-                                              TangentProduct tangent_product) {
+void check_parts(const Mesh& mesh, std::span<const ModelPart> parts, const ModelOptions& options) {
   check_mesh(mesh);
-  for (std::size_t p = 0; p < parts.size(); ++p) check_part(mesh, parts[p], p, tangent_product);
+  for (std::size_t p = 0; p < parts.size(); ++p) check_part(mesh, parts[p], p, options);
   check_cover(mesh, parts);
+}
 
+template <class Scalar>
+std::vector<ElementGroup<Scalar>> make_element_groups(const Mesh& mesh,
+                                                      std::span<const ModelPart> parts) {
   std::vector<std::size_t> first_element(mesh.blocks.size(), 0);
   for (std::size_t b = 1; b < mesh.blocks.size(); ++b) {
     first_element[b] = first_element[b - 1] + mesh.blocks[b - 1].num_elements();
   }
-  std::vector<ElementGroup> groups;
+  std::vector<ElementGroup<Scalar>> groups;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const ModelPart& part = parts[p];
     const ElementBlock& block = mesh.blocks[part.block];
     // Each element goes to the first variant that its shape allows; "general", which all do, last.
-    std::vector<VariantElements> variants = special_variants(*part.kernels);
-    variants.push_back({find_variant(*part.kernels, "general"), {}, {}});
+    const KernelTable<Scalar>& table = kernels_of<Scalar>(part);
+    std::vector<VariantElements<Scalar>> variants = special_variants(table);
+    variants.push_back({find_variant(table, "general"), {}, {}});
     for (const std::int32_t e : part.elements) {
-      for (VariantElements& variant : variants) {
+      for (VariantElements<Scalar>& variant : variants) {
         const std::optional<std::vector<int>> order =
             node_order_for(variant.kernels->geometry, mesh, block, static_cast<std::size_t>(e));
         if (!order) continue;
@@ -197,16 +231,14 @@ std::vector<ElementGroup> make_element_groups(const Mesh& mesh, std::span<const 
         break;
       }
     }
-    ElementGroupSource source{p,
-                              part.block,
-                              first_element[part.block],
-                              {},
-                              {},
-                              part.kernels,
-                              nullptr,
-                              part.parameters,
-                              part.density};
-    for (const VariantElements& variant : variants) {
+    ElementGroupSource<Scalar> source;
+    source.part = p;
+    source.block = part.block;
+    source.first_element = first_element[part.block];
+    source.table = &table;
+    source.parameters = part.parameters;
+    source.density = part.density;
+    for (const VariantElements<Scalar>& variant : variants) {
       if (variant.elements.empty()) continue;
       source.elements = variant.elements;
       source.node_order = variant.node_order;
@@ -216,5 +248,10 @@ std::vector<ElementGroup> make_element_groups(const Mesh& mesh, std::span<const 
   }
   return groups;
 }
+
+template std::vector<ElementGroup<double>> make_element_groups(const Mesh&,
+                                                               std::span<const ModelPart>);
+template std::vector<ElementGroup<float>> make_element_groups(const Mesh&,
+                                                              std::span<const ModelPart>);
 
 }  // namespace elastogen

@@ -10,12 +10,13 @@
 
 namespace elastogen {
 
-/// Checks mesh and parts and batches the elements: one group per part and geometry variant that
-/// occurs. Positions are filled, constants are left empty.
-///
 /// @throws InputError, InternalError  as Model's constructor, save for rest shapes
-[[nodiscard]] std::vector<ElementGroup> make_element_groups(const Mesh& mesh,
-                                                            std::span<const ModelPart> parts,
-                                                            TangentProduct tangent_product);
+void check_parts(const Mesh& mesh, std::span<const ModelPart> parts, const ModelOptions& options);
+
+/// Batches the elements of parts that were checked: one group per part and geometry variant that
+/// occurs. Positions are filled, constants are left empty.
+template <class Scalar>
+[[nodiscard]] std::vector<ElementGroup<Scalar>> make_element_groups(
+    const Mesh& mesh, std::span<const ModelPart> parts);
 
 }  // namespace elastogen

@@ -36,15 +36,17 @@ struct Size {
   double coordinate = 0;
 };
 
-Size element_size(const ElementGroup& group, std::size_t batch, std::size_t lane) {
+Size element_size(const ElementGroup<double>& group, const Mesh& mesh, std::size_t batch,
+                  std::size_t lane) {
   const std::size_t lanes = static_cast<std::size_t>(group.lanes);
-  const double* x = group.positions.data() + batch * group.values_per_batch() + lane;
+  const std::size_t nodes = static_cast<std::size_t>(group.num_nodes);
+  const std::int32_t* dofs = group.dofs.data() + batch * nodes * lanes + lane;
   Size size;
   for (int i = 0; i < group.dim; ++i) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
-    for (int a = 0; a < group.num_nodes; ++a) {
-      const double value = x[static_cast<std::size_t>(a * group.dim + i) * lanes];
+    for (std::size_t a = 0; a < nodes; ++a) {
+      const double value = mesh.positions[static_cast<std::size_t>(dofs[a * lanes] + i)];
       low = std::min(low, value);
       high = std::max(high, value);
     }
@@ -70,7 +72,7 @@ struct BadShape {
   double smallest = 0;
 };
 
-[[noreturn]] void refuse(const ElementGroup& group, const BadShape& bad) {
+[[noreturn]] void refuse(const ElementGroup<double>& group, const BadShape& bad) {
   const bool inverted = bad.determinant < -bad.smallest;
   throw InputError(fmt::format(
       "{}: its rest shape is {}: the Jacobian determinant at quadrature point {} of {} is {:.6g}, "
@@ -163,7 +165,8 @@ std::optional<std::vector<int>> node_order_for(const std::string& geometry, cons
   return std::vector<int>();
 }
 
-const VariantTable<double>* find_variant(const KernelTable<double>& table,
+template <class Scalar>
+const VariantTable<Scalar>* find_variant(const KernelTable<Scalar>& table,
                                          const std::string& geometry) {
   for (std::int32_t v = 0; v < table.num_variants; ++v) {
     if (geometry == table.variants[v].geometry) return &table.variants[v];
@@ -171,7 +174,8 @@ const VariantTable<double>* find_variant(const KernelTable<double>& table,
   return nullptr;
 }
 
-void measure_rest_shapes(const ElementGroup& group, RestMeasures measures) {
+void measure_rest_shapes(const ElementGroup<double>& group, const Mesh& mesh,
+                         RestMeasures measures) {
   const std::size_t lanes = static_cast<std::size_t>(group.lanes);
   const std::size_t nodes = static_cast<std::size_t>(group.num_nodes);
   const std::size_t points = static_cast<std::size_t>(group.table->num_points);
@@ -184,7 +188,8 @@ void measure_rest_shapes(const ElementGroup& group, RestMeasures measures) {
     const std::size_t used = static_cast<std::size_t>(group.used_lanes(batch));
     for (std::size_t lane = 0; lane < used; ++lane) {
       const std::size_t k = batch * lanes + lane;
-      const double smallest = smallest_determinant(element_size(group, batch, lane), group.dim);
+      const double smallest =
+          smallest_determinant(element_size(group, mesh, batch, lane), group.dim);
       for (int q = group.table->num_points - 1; q >= 0; --q) {
         const double determinant = out[(2 * nodes + static_cast<std::size_t>(q)) * lanes + lane];
         const bool first = !first_bad || group.elements[k] <= group.elements[first_bad->k];
@@ -206,7 +211,8 @@ void measure_rest_shapes(const ElementGroup& group, RestMeasures measures) {
   if (first_bad) refuse(group, *first_bad);
 }
 
-std::string element_text(const ElementGroup& group, std::size_t k) {
+template <class Scalar>
+std::string element_text(const ElementGroup<Scalar>& group, std::size_t k) {
   const std::size_t lanes = static_cast<std::size_t>(group.lanes);
   const std::size_t nodes = static_cast<std::size_t>(group.num_nodes);
   std::string list;
@@ -215,5 +221,10 @@ std::string element_text(const ElementGroup& group, std::size_t k) {
   }
   return fmt::format("element {} ({}, nodes{})", group.elements[k], group.table->element, list);
 }
+
+template const VariantTable<double>* find_variant(const KernelTable<double>&, const std::string&);
+template const VariantTable<float>* find_variant(const KernelTable<float>&, const std::string&);
+template std::string element_text(const ElementGroup<double>&, std::size_t);
+template std::string element_text(const ElementGroup<float>&, std::size_t);
 
 }  // namespace elastogen

@@ -32,7 +32,8 @@ namespace elastogen {
                                                              std::size_t element);
 
 /// The variant of a table for a geometry, or null.
-[[nodiscard]] const VariantTable<double>* find_variant(const KernelTable<double>& table,
+template <class Scalar>
+[[nodiscard]] const VariantTable<Scalar>* find_variant(const KernelTable<Scalar>& table,
                                                        const std::string& geometry);
 
 /// What the kernel `geometry_measures` tells of a group.
@@ -44,11 +45,14 @@ struct RestMeasures {
 };
 
 /// Fills the measures from the group's positions.
+/// @param mesh  that the group is of
 /// @throws InputError  naming the group's first element whose Jacobian determinant is not above
 ///                     rounding at a quadrature point
-void measure_rest_shapes(const ElementGroup& group, RestMeasures measures);
+void measure_rest_shapes(const ElementGroup<double>& group, const Mesh& mesh,
+                         RestMeasures measures);
 
 /// "element 17 (tet4, nodes 3 8 9 12)", lane `k` of the group; numbers from 0.
-[[nodiscard]] std::string element_text(const ElementGroup& group, std::size_t k);
+template <class Scalar>
+[[nodiscard]] std::string element_text(const ElementGroup<Scalar>& group, std::size_t k);
 
 }  // namespace elastogen

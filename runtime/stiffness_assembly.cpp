@@ -11,11 +11,13 @@ namespace {
 
 // Element matrices that a thread computes before columns are added: enough to hide the barriers,
 // few enough to stay in cache.
-constexpr std::size_t numbers_per_thread = (1u << 20) / sizeof(double);
+template <class Scalar>
+constexpr std::size_t numbers_per_thread = (1u << 20) / sizeof(Scalar);
 
-std::size_t largest_matrix_batch(const std::vector<ElementGroup>& groups) {
+template <class Scalar>
+std::size_t largest_matrix_batch(const std::vector<ElementGroup<Scalar>>& groups) {
   std::size_t size = 0;
-  for (const ElementGroup& group : groups) {
+  for (const ElementGroup<Scalar>& group : groups) {
     size = std::max(
         size, group.values_per_batch() * static_cast<std::size_t>(group.num_nodes * group.dim));
   }
@@ -23,31 +25,36 @@ std::size_t largest_matrix_batch(const std::vector<ElementGroup>& groups) {
 }
 
 /// Projects the matrices of one batch in their place.
-void project_batch(const ElementGroup& group, std::size_t batch, double* matrices) {
+template <class Scalar>
+void project_batch(const ElementGroup<Scalar>& group, std::size_t batch, Scalar* matrices) {
+  using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
   const Eigen::Index size = group.num_nodes * group.dim;
   Eigen::MatrixXd matrix(size, size);
   for (int lane = 0; lane < group.used_lanes(batch); ++lane) {
-    Eigen::Map<Eigen::MatrixXd, Eigen::Unaligned, Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>>
-        in_batch(matrices + lane, size, size, {size * group.lanes, group.lanes});
-    matrix = in_batch;
-    if (project_semidefinite(matrix)) in_batch = matrix;
+    Eigen::Map<Matrix, Eigen::Unaligned, Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>> in_batch(
+        matrices + lane, size, size, {size * group.lanes, group.lanes});
+    matrix = in_batch.template cast<double>();
+    if (project_semidefinite(matrix)) in_batch = matrix.template cast<Scalar>();
   }
 }
 
 }  // namespace
 
-StiffnessAssembly::StiffnessAssembly(const std::vector<ElementGroup>& groups, std::size_t num_nodes,
-                                     int dim, int threads)
+template <class Scalar>
+StiffnessAssembly<Scalar>::StiffnessAssembly(const std::vector<ElementGroup<Scalar>>& groups,
+                                             std::size_t num_nodes, int dim, int threads)
     : threads_(threads),
       pattern_(groups, num_nodes, dim),
-      workspaces_(static_cast<std::size_t>(threads), Workspace(groups, false)),
-      matrices_(std::max(numbers_per_thread, largest_matrix_batch(groups)) *
+      workspaces_(static_cast<std::size_t>(threads), Workspace<Scalar>(groups, false)),
+      matrices_(std::max(numbers_per_thread<Scalar>, largest_matrix_batch(groups)) *
                 static_cast<std::size_t>(threads)) {}
 
-ElementStatus StiffnessAssembly::run(const std::vector<ElementGroup>& groups,
-                                     const double* displacement, TangentForm form, double* values) {
-  ElementPass pass;
-  pass.kernel = &VariantTable<double>::stiffness;
+template <class Scalar>
+ElementStatus StiffnessAssembly<Scalar>::run(const std::vector<ElementGroup<Scalar>>& groups,
+                                             const double* displacement, TangentForm form,
+                                             double* values) {
+  ElementPass<Scalar> pass;
+  pass.kernel = &VariantTable<Scalar>::stiffness;
   pass.displacement = displacement;
   std::fill_n(values, pattern_.num_values(), 0.0);
   std::vector<ElementStatus> status(static_cast<std::size_t>(threads_));
@@ -56,9 +63,9 @@ ElementStatus StiffnessAssembly::run(const std::vector<ElementGroup>& groups,
   {
     const int thread = omp_get_thread_num();
     const int num_threads = omp_get_num_threads();
-    Workspace& workspace = workspaces_[static_cast<std::size_t>(thread)];
+    Workspace<Scalar>& workspace = workspaces_[static_cast<std::size_t>(thread)];
     for (std::size_t g = 0; g < groups.size(); ++g) {
-      const ElementGroup& group = groups[g];
+      const ElementGroup<Scalar>& group = groups[g];
       const std::size_t size =
           group.values_per_batch() * static_cast<std::size_t>(group.num_nodes * group.dim);
       const std::size_t step = matrices_.size() / size;
@@ -67,7 +74,7 @@ ElementStatus StiffnessAssembly::run(const std::vector<ElementGroup>& groups,
         with_layout(group, [&](auto layout) {
           for (std::size_t batch = begin + static_cast<std::size_t>(thread); batch < end;
                batch += static_cast<std::size_t>(num_threads)) {
-            double* const matrices = matrices_.data() + (batch - begin) * size;
+            Scalar* const matrices = matrices_.data() + (batch - begin) * size;
             const ElementStatus batch_status =
                 compute_batch<decltype(layout)>(group, batch, pass, workspace, matrices);
             if (form == TangentForm::semidefinite && batch_status.ok()) {
@@ -90,9 +97,11 @@ ElementStatus StiffnessAssembly::run(const std::vector<ElementGroup>& groups,
   return first;
 }
 
-void StiffnessAssembly::add_columns(const ElementGroup& group, std::size_t group_number,
-                                    std::size_t batch, const double* matrices, int thread,
-                                    int num_threads, double* values) const {
+template <class Scalar>
+void StiffnessAssembly<Scalar>::add_columns(const ElementGroup<Scalar>& group,
+                                            std::size_t group_number, std::size_t batch,
+                                            const Scalar* matrices, int thread, int num_threads,
+                                            double* values) const {
   const std::size_t lanes = static_cast<std::size_t>(group.lanes);
   const int n = group.num_nodes;
   const int d = group.dim;
@@ -107,7 +116,7 @@ void StiffnessAssembly::add_columns(const ElementGroup& group, std::size_t group
       for (int b = 0; b < n; ++b) {
         // K is symmetric: row (a, j) of the element matrix is column (a, j) of the global one.
         double* block = values + slots[(l * n + a) * n + b];
-        const double* from = matrices + static_cast<std::size_t>((a * d * n + b) * d) * lanes + l;
+        const Scalar* from = matrices + static_cast<std::size_t>((a * d * n + b) * d) * lanes + l;
         for (int j = 0; j < d; ++j) {
           for (int i = 0; i < d; ++i) {
             block[j * column_length + i] += from[static_cast<std::size_t>(j * n * d + i) * lanes];
@@ -117,5 +126,8 @@ void StiffnessAssembly::add_columns(const ElementGroup& group, std::size_t group
     }
   }
 }
+
+template class StiffnessAssembly<double>;
+template class StiffnessAssembly<float>;
 
 }  // namespace elastogen

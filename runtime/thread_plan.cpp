@@ -6,24 +6,27 @@ namespace elastogen {
 namespace {
 
 // Work of one batch in units of roughly a nanosecond: kernels loop over points and nodes.
-double batch_work(const ElementGroup& group) {
+template <class Scalar>
+double batch_work(const ElementGroup<Scalar>& group) {
   return static_cast<double>(group.num_nodes) * (1 + group.table->num_points) * group.lanes;
 }
 
-double total_work(const std::vector<ElementGroup>& groups) {
+template <class Scalar>
+double total_work(const std::vector<ElementGroup<Scalar>>& groups) {
   double total = 0;
-  for (const ElementGroup& group : groups) {
+  for (const ElementGroup<Scalar>& group : groups) {
     total += static_cast<double>(group.num_batches) * batch_work(group);
   }
   return total;
 }
 
-void find_node_range(const std::vector<ElementGroup>& groups, ThreadShare& share) {
+template <class Scalar>
+void find_node_range(const std::vector<ElementGroup<Scalar>>& groups, ThreadShare& share) {
   if (share.ranges.empty()) return;
   std::int32_t low = std::numeric_limits<std::int32_t>::max();
   std::int32_t high = -1;
   for (const BatchRange& range : share.ranges) {
-    const ElementGroup& group = groups[range.group];
+    const ElementGroup<Scalar>& group = groups[range.group];
     const std::size_t per_batch = static_cast<std::size_t>(group.num_nodes * group.lanes);
     for (std::size_t k = range.begin * per_batch; k < range.end * per_batch; ++k) {
       const std::int32_t node = group.dofs[k] / group.dim;
@@ -37,13 +40,16 @@ void find_node_range(const std::vector<ElementGroup>& groups, ThreadShare& share
 
 }  // namespace
 
-int useful_threads(const std::vector<ElementGroup>& groups, int available) {
+template <class Scalar>
+int useful_threads(const std::vector<ElementGroup<Scalar>>& groups, int available) {
   constexpr double work_per_thread = 50000;
   const double useful = total_work(groups) / work_per_thread;
   return useful < available ? std::max(1, static_cast<int>(useful)) : available;
 }
 
-std::vector<ThreadShare> plan_threads(const std::vector<ElementGroup>& groups, int threads) {
+template <class Scalar>
+std::vector<ThreadShare> plan_threads(const std::vector<ElementGroup<Scalar>>& groups,
+                                      int threads) {
   const double total = total_work(groups);
   std::vector<ThreadShare> shares(static_cast<std::size_t>(threads));
   double done = 0;
@@ -98,5 +104,10 @@ void NodeAccumulator::sum(const std::vector<ThreadShare>& shares, int values_per
     }
   }
 }
+
+template int useful_threads(const std::vector<ElementGroup<double>>&, int);
+template int useful_threads(const std::vector<ElementGroup<float>>&, int);
+template std::vector<ThreadShare> plan_threads(const std::vector<ElementGroup<double>>&, int);
+template std::vector<ThreadShare> plan_threads(const std::vector<ElementGroup<float>>&, int);
 
 }  // namespace elastogen

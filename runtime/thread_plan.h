@@ -27,11 +27,13 @@ struct ThreadShare {
 
 /// Number of threads that pays for these groups, at most `available`: a thread that computes for
 /// less than about 50 microseconds costs more than it brings.
-[[nodiscard]] int useful_threads(const std::vector<ElementGroup>& groups, int available);
+template <class Scalar>
+[[nodiscard]] int useful_threads(const std::vector<ElementGroup<Scalar>>& groups, int available);
 
 /// One share per thread. The shares follow the groups' order, so with natural node numbers the
 /// node ranges of two shares overlap little.
-[[nodiscard]] std::vector<ThreadShare> plan_threads(const std::vector<ElementGroup>& groups,
+template <class Scalar>
+[[nodiscard]] std::vector<ThreadShare> plan_threads(const std::vector<ElementGroup<Scalar>>& groups,
                                                     int threads);
 
 /// Sums what the shares compute into node-major arrays. Every share writes to an array of its own

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "runtime/stopwatch.h"
 
@@ -48,7 +47,7 @@ bool TotalPotential::evaluate_forces(StaticState& state) {
 
 double TotalPotential::rounding(const StaticState& state) const {
   // 64: a kernel's own error of some ulp, and the elements' errors partly adding up.
-  return 64 * std::numeric_limits<double>::epsilon() *
+  return 64 * model_.epsilon() *
          (std::abs(state.energy) + std::abs(state.energy - state.potential));
 }
 

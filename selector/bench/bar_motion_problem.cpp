@@ -60,10 +60,11 @@ class BarMotion : public WorkPrecisionProblem {
         {{8, 1, 1}, {16, 1, 1}, {32, 1, 1}, {64, 1, 1}, {128, 1, 1}},
         {{4, 2, 2}, {8, 2, 2}, {16, 2, 2}, {32, 2, 2}}};
     return all_choices(selection, {"hooke"}, meshes,
-                       {{"central_differences", 0},
-                        {"symplectic_euler", 0},
-                        {"implicit_euler", 0.5},
-                        {"implicit_euler", 0.05}});
+                       {{"central_differences", Precision::double_precision, 0},
+                        {"central_differences", Precision::single_precision, 0},
+                        {"symplectic_euler", Precision::double_precision, 0},
+                        {"implicit_euler", Precision::double_precision, 0.5},
+                        {"implicit_euler", Precision::double_precision, 0.05}});
   }
 
   std::string scene(const WorkPrecisionChoice& choice) const override {
@@ -103,12 +104,14 @@ end = {}
 )",
                                    bar.gravity, bar.length, fmt::join(choice.cells, ", "),
                                    choice.association.text(), density, young, bar.length,
-                                   choice.solver, bar.period());
-    if (choice.tolerance > 0) {
+                                   choice.solver.method, bar.period());
+    if (choice.solver.tolerance > 0) {
       text += fmt::format("step = {}\n",
-                          choice.tolerance * bar.length / choice.cells[0] / bar.wave_speed);
+                          choice.solver.tolerance * bar.length / choice.cells[0] / bar.wave_speed);
     }
-    if (choice.solver == "implicit_euler") text += "\n[solver]\nmethod = \"cholesky\"\n";
+    text +=
+        fmt::format("\n[solver]\nprecision = \"{}\"\n", precision_name(choice.solver.precision));
+    if (choice.solver.method == "implicit_euler") text += "method = \"cholesky\"\n";
     return text;
   }
 

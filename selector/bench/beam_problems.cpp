@@ -17,8 +17,11 @@ const MeshFamilies meshes = {
     {{6, 1, 1}, {12, 2, 2}, {24, 4, 4}, {36, 6, 6}, {48, 8, 8}, {72, 12, 12}},
     // With one hexa20 of 8 points across, motions without energy spoil the bending.
     {{4, 2, 2}, {8, 2, 2}, {12, 2, 2}, {16, 3, 3}, {24, 4, 4}}};
-const std::vector<std::pair<std::string, double>> solvers = {
-    {"cholesky", 1e-8}, {"cg", 1e-8}, {"cholesky", 1e-4}};
+const std::vector<SolverChoice> solvers = {{"cholesky", Precision::double_precision, 1e-8},
+                                           {"cg", Precision::double_precision, 1e-8},
+                                           {"cg", Precision::mixed, 1e-8},
+                                           {"cholesky", Precision::double_precision, 1e-4},
+                                           {"cg", Precision::single_precision, 1e-4}};
 
 std::string beam(const std::string& title, std::span<const BeamSection> sections,
                  const std::vector<int>& cells) {
@@ -56,10 +59,11 @@ plane = { x = 8.0 }
 )";
 }
 
-std::string ending(const std::string& solver, double tolerance, int load_steps) {
+std::string ending(const SolverChoice& solver, int load_steps) {
   return fmt::format(R"(
 [solver]
 method = "{}"
+precision = "{}"
 tolerance = {}
 load_steps = {}
 max_iterations = 1000
@@ -67,11 +71,13 @@ max_iterations = 1000
 [output]
 write = ["vtu"]
 )",
-                     solver, tolerance, load_steps);
+                     solver.method, precision_name(solver.precision), solver.tolerance, load_steps);
 }
 
 WorkPrecisionChoice over_resolved(const std::string& law) {
-  return {symgen::AssociationId::parse(law + "-hexa20-q27-none"), {32, 8, 8}, "cg", 1e-9};
+  return {symgen::AssociationId::parse(law + "-hexa20-q27-none"),
+          {32, 8, 8},
+          {"cg", Precision::double_precision, 1e-9}};
 }
 
 std::vector<BeamSection> whole(const WorkPrecisionChoice& choice) {
@@ -110,7 +116,7 @@ class Bending : public WorkPrecisionProblem {
     return all_choices(selection, {"stvk", "neo_hookean"}, meshes, solvers);
   }
   std::string scene(const WorkPrecisionChoice& choice) const override {
-    return bending_scene(whole(choice), choice.cells, choice.solver, choice.tolerance);
+    return bending_scene(whole(choice), choice.cells, choice.solver);
   }
   std::optional<WorkPrecisionChoice> reference(const std::string& law) const override {
     return over_resolved(law);
@@ -136,10 +142,13 @@ class Torsion : public WorkPrecisionProblem {
   std::vector<WorkPrecisionChoice> choices(const WorkPrecisionSelection& selection) const override {
     const MeshFamilies coarser = {{meshes.linear.begin(), meshes.linear.end() - 1},
                                   {meshes.quadratic.begin(), meshes.quadratic.end() - 1}};
-    return all_choices(selection, {"stvk"}, coarser, {{"cholesky", 1e-6}, {"cg", 1e-6}});
+    return all_choices(selection, {"stvk"}, coarser,
+                       {{"cholesky", Precision::double_precision, 1e-6},
+                        {"cg", Precision::double_precision, 1e-6},
+                        {"cg", Precision::mixed, 1e-6}});
   }
   std::string scene(const WorkPrecisionChoice& choice) const override {
-    return torsion_scene(whole(choice), choice.cells, choice.solver, choice.tolerance);
+    return torsion_scene(whole(choice), choice.cells, choice.solver);
   }
   std::optional<WorkPrecisionChoice> reference(const std::string& law) const override {
     return over_resolved(law);
@@ -155,18 +164,18 @@ class Torsion : public WorkPrecisionProblem {
 }  // namespace
 
 std::string bending_scene(std::span<const BeamSection> sections, const std::vector<int>& cells,
-                          const std::string& solver, double tolerance) {
+                          const SolverChoice& solver) {
   return "gravity = [0.0, 0.0, -9.81]\n" + beam("Beam in bending", sections, cells) +
-         ending(solver, tolerance, 1);
+         ending(solver, 1);
 }
 
 std::string torsion_scene(std::span<const BeamSection> sections, const std::vector<int>& cells,
-                          const std::string& solver, double tolerance) {
+                          const SolverChoice& solver) {
   return beam("Beam in torsion", sections, cells) + R"(
 [[constraint]]
 plane = { x = 8.0 }
 rotation = { point = [8.0, 0.5, 0.5], axis = [1.0, 0.0, 0.0], turns = 0.5 }
-)" + ending(solver, tolerance, 5);
+)" + ending(solver, 5);
 }
 
 std::unique_ptr<WorkPrecisionProblem> make_bending_problem() { return std::make_unique<Bending>(); }

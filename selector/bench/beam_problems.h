@@ -20,13 +20,11 @@ struct BeamSection {
 /// The thesis's beam as a scene: 8 x 1 x 1 m, E = 100 MPa, nu = 0, 1000 kg/m^3, clamped at x = 0,
 /// under its weight (g = 9.81 m/s^2).
 [[nodiscard]] std::string bending_scene(std::span<const BeamSection> sections,
-                                        const std::vector<int>& cells, const std::string& solver,
-                                        double tolerance);
+                                        const std::vector<int>& cells, const SolverChoice& solver);
 
 /// The same beam without weight, its end turned by half a turn about the axis in five load steps.
 [[nodiscard]] std::string torsion_scene(std::span<const BeamSection> sections,
-                                        const std::vector<int>& cells, const std::string& solver,
-                                        double tolerance);
+                                        const std::vector<int>& cells, const SolverChoice& solver);
 
 /// Error: of the mean displacement of the end face, as a vector.
 [[nodiscard]] std::unique_ptr<WorkPrecisionProblem> make_bending_problem();

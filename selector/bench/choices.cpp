@@ -26,9 +26,10 @@ std::string WorkPrecisionChoice::resolution() const {
   return fmt::format("{}", fmt::join(cells, "x"));
 }
 
-std::vector<WorkPrecisionChoice> all_choices(
-    const WorkPrecisionSelection& selection, const std::vector<std::string>& own_laws,
-    const MeshFamilies& meshes, const std::vector<std::pair<std::string, double>>& solvers) {
+std::vector<WorkPrecisionChoice> all_choices(const WorkPrecisionSelection& selection,
+                                             const std::vector<std::string>& own_laws,
+                                             const MeshFamilies& meshes,
+                                             const std::vector<SolverChoice>& solvers) {
   std::vector<WorkPrecisionChoice> choices;
   const auto& laws = selection.laws.empty() ? own_laws : selection.laws;
   for (const std::string& law : laws) {
@@ -43,7 +44,7 @@ std::vector<WorkPrecisionChoice> all_choices(
           for (std::size_t m = 0; m < (selection.quick ? 2 : family.size()); ++m) {
             choices.push_back(
                 {symgen::AssociationId::parse(fmt::format("{}-{}-{}-none", law, name, quadrature)),
-                 family[m], solvers[s].first, solvers[s].second});
+                 family[m], solvers[s]});
           }
         }
       }

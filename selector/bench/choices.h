@@ -17,10 +17,9 @@ struct MeshFamilies {
 /// Every selected three-dimensional element and quadrature with every mesh of its family, in the
 /// order of elements.
 /// @param own_laws  where the selection names none
-/// @param solvers   with their tolerances, all of them for each mesh; of a quick selection the
-/// first
+/// @param solvers   all of them for each mesh; of a quick selection the first
 [[nodiscard]] std::vector<WorkPrecisionChoice> all_choices(
     const WorkPrecisionSelection& selection, const std::vector<std::string>& own_laws,
-    const MeshFamilies& meshes, const std::vector<std::pair<std::string, double>>& solvers);
+    const MeshFamilies& meshes, const std::vector<SolverChoice>& solvers);
 
 }  // namespace elastogen::selector

@@ -127,7 +127,7 @@ std::vector<std::string> work_precision_sentences(const Points& points) {
       std::string sentence = fmt::format("{}, for {}: ", law, error_text(error));
       if (fastest) {
         sentence += fmt::format("fastest is {}, {}, {}: {} whole process ({} solve), error {}.",
-                                fastest->association, fastest->resolution, fastest->solver,
+                                fastest->association, fastest->resolution, fastest->solver_text(),
                                 seconds_text(fastest->process_seconds),
                                 seconds_text(fastest->solve_seconds), error_text(fastest->error));
       } else if (calculix.empty() || !fastest_for(calculix, error, WorkTime::process)) {

@@ -14,7 +14,7 @@ namespace {
 
 /// Marks the file as ours ("EGwp"), and the version of its tables. Both stand again in `schema`.
 constexpr int application_id = 0x45477770;
-constexpr int schema_version = 1;
+constexpr int schema_version = 2;
 
 // Columns after `scene_hash` are the members of WorkPrecisionPoint in the order of for_each_field.
 constexpr const char* schema = R"(
@@ -37,6 +37,7 @@ CREATE TABLE points (
   quadrature TEXT NOT NULL,
   resolution TEXT NOT NULL,
   solver TEXT NOT NULL,
+  precision TEXT NOT NULL,
   tolerance REAL NOT NULL,
   num_elements INTEGER NOT NULL,
   num_dofs INTEGER NOT NULL,
@@ -56,9 +57,9 @@ CREATE TABLE points (
   runs INTEGER NOT NULL,
   scene TEXT NOT NULL,
   failure TEXT NOT NULL,
-  UNIQUE (problem, program, association, resolution, solver, tolerance));
+  UNIQUE (problem, program, association, resolution, solver, precision, tolerance));
 PRAGMA application_id = 1162311536;
-PRAGMA user_version = 1;
+PRAGMA user_version = 2;
 COMMIT;
 )";
 
@@ -87,14 +88,14 @@ std::string select_points(const char* condition) {
 
 constexpr const char* with_key =
     "WHERE problem = ? AND program = ? AND association = ? AND resolution = ? AND solver = ? "
-    "AND tolerance = ? AND scene_hash = ?";
+    "AND precision = ? AND tolerance = ? AND scene_hash = ?";
 
 constexpr const char* like_a_run =
     "WHERE run IN (SELECT id FROM runs "
     "WHERE processor = ? AND cores = ? AND compiler = ? AND version = ?) "
-    "ORDER BY problem, program, association, solver, tolerance, num_dofs, resolution";
+    "ORDER BY problem, program, association, solver, precision, tolerance, num_dofs, resolution";
 
-static_assert(application_id == 1162311536 && schema_version == 1, "as in the schema");
+static_assert(application_id == 1162311536 && schema_version == 2, "as in the schema");
 
 int single_number(const SqliteConnection& connection, const char* sql) {
   SqliteStatement statement(connection, sql);
@@ -204,6 +205,7 @@ std::optional<WorkPrecisionPoint> ResultsDatabase::find(const PointKey& key) con
   select.bind(key.association);
   select.bind(key.resolution);
   select.bind(key.solver);
+  select.bind(key.precision);
   select.bind(key.tolerance);
   select.bind(key.scene_hash);
   if (!select.step()) return std::nullopt;

@@ -29,6 +29,7 @@ struct PointKey {
   std::string association;
   std::string resolution;
   std::string solver;
+  std::string precision;
   double tolerance = 0;
   std::string
       scene_hash;  ///< of the content of scene or deck, and of all else that must not change
@@ -65,7 +66,7 @@ class ResultsDatabase {
 
   /// The points that may be compared with a run's: measured on the same processor with as many
   /// cores, by the same compiler and version. Ordered by problem, program, association, solver,
-  /// tolerance and dofs.
+  /// precision, tolerance and dofs.
   [[nodiscard]] std::vector<WorkPrecisionPoint> points_like(const BenchRun& run) const;
 
   /// All runs, in the order of their beginning.

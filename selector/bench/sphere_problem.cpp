@@ -41,7 +41,11 @@ class Sphere : public WorkPrecisionProblem {
     const std::vector<std::string> laws =
         large_ ? std::vector<std::string>{"neo_hookean", "stable_neo_hookean"}
                : std::vector<std::string>{"hooke"};
-    return all_choices(selection, laws, meshes, {{"cholesky", 1e-8}, {"cg", 1e-8}});
+    return all_choices(selection, laws, meshes,
+                       {{"cholesky", Precision::double_precision, 1e-8},
+                        {"cg", Precision::double_precision, 1e-8},
+                        {"cg", Precision::mixed, 1e-8},
+                        {"cg", Precision::single_precision, 1e-4}});
   }
 
   std::string scene(const WorkPrecisionChoice& choice) const override {
@@ -77,14 +81,15 @@ pressure = {}
 
 [solver]
 method = "{}"
+precision = "{}"
 tolerance = {}
 
 [output]
 write = ["vtu"]
 )",
                        text_.title, inner, outer, fmt::join(choice.cells, ", "),
-                       choice.association.text(), young, poisson, pressure_, choice.solver,
-                       choice.tolerance);
+                       choice.association.text(), young, poisson, pressure_, choice.solver.method,
+                       precision_name(choice.solver.precision), choice.solver.tolerance);
   }
 
   std::optional<WorkPrecisionChoice> reference(const std::string&) const override {

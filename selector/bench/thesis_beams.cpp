@@ -58,6 +58,8 @@ SolvedScene solve(const ThesisBeams& beams, const std::string& name, const std::
   return read_solved_scene(folder);
 }
 
+SolverChoice cg(double tolerance) { return {"cg", Precision::double_precision, tolerance}; }
+
 /// Mean deflection of each section of nodes with the same x at rest.
 ThesisCurve deflection(const SolvedScene& solved, const std::string& element) {
   std::map<long, std::pair<double, int>> sections;  // x in 1e-9 m: sum of u_z, nodes
@@ -92,7 +94,7 @@ double mean_distance(const ThesisCurve& curve, const ThesisCurve& converged) {
 std::vector<std::string> bending_sections(const ThesisBeams& beams) {
   const std::vector<BeamSection> fine = {{1.0, "stvk-hexa20-q27-none"}};
   const ThesisCurve converged = deflection(
-      solve(beams, "bending_converged", bending_scene(fine, {32, 8, 8}, "cg", 1e-9)), "hexa20");
+      solve(beams, "bending_converged", bending_scene(fine, {32, 8, 8}, cg(1e-9))), "hexa20");
   std::vector<ThesisCurve> curves;
   std::vector<ThesisFigure> figures;
   for (const Beam& beam : bending_beams()) {
@@ -101,7 +103,7 @@ std::vector<std::string> bending_sections(const ThesisBeams& beams) {
     const std::string element = symgen::AssociationId::parse(beam.association).element;
     const SolvedScene solved =
         solve(beams, fmt::format("bending_{}_{}", element, fmt::join(beam.cells, "x")),
-              bending_scene(sections, beam.cells, "cg", 1e-8));
+              bending_scene(sections, beam.cells, cg(1e-8)));
     const ThesisCurve& curve = curves.emplace_back(deflection(solved, element));
     const nlohmann::json& seconds = solved.summary.at("seconds");
     figures.push_back({element, curve.num_elements, mean_distance_to_line(curve),
@@ -120,7 +122,7 @@ std::string torsion_section(const ThesisBeams& beams) {
                                           {0.75, "stvk-hexa8-q8-none"},
                                           {1.00, "stvk-tet4-q1-none"}};
   const SolvedScene converged =
-      solve(beams, "torsion_converged", torsion_scene(fine, {24, 6, 6}, "cg", 1e-8));
+      solve(beams, "torsion_converged", torsion_scene(fine, {24, 6, 6}, cg(1e-8)));
   std::vector<TorsionFigure> figures;
   const auto add = [&](const std::string& mesh, const SolvedScene& solved) {
     const FieldDistance distance =
@@ -129,8 +131,8 @@ std::string torsion_section(const ThesisBeams& beams) {
     figures.push_back({mesh, "hexa20 24x6x6", distance.mean, distance.maximum, distance.minimum});
   };
   add("hexa8 48x8x8",
-      solve(beams, "torsion_hexa8", torsion_scene(hexahedra, {48, 8, 8}, "cg", 1e-8)));
-  add("mixed 32x5x5", solve(beams, "torsion_mixed", torsion_scene(mixed, {32, 5, 5}, "cg", 1e-8)));
+      solve(beams, "torsion_hexa8", torsion_scene(hexahedra, {48, 8, 8}, cg(1e-8))));
+  add("mixed 32x5x5", solve(beams, "torsion_mixed", torsion_scene(mixed, {32, 5, 5}, cg(1e-8))));
   return thesis_table_6_7_html(figures);
 }
 

@@ -50,8 +50,9 @@ BenchRun this_run(const WorkPrecisionOptions& options) {
 }
 
 std::string file_name(const std::string& problem, const WorkPrecisionChoice& choice) {
-  return fmt::format("{}_{}_{}_{}_{:g}", problem, choice.association.text(), choice.resolution(),
-                     choice.solver, choice.tolerance);
+  return fmt::format("{}_{}_{}_{}_{}_{:g}", problem, choice.association.text(), choice.resolution(),
+                     choice.solver.method, precision_name(choice.solver.precision),
+                     choice.solver.tolerance);
 }
 
 WorkPrecisionPoint start_point(const std::string& problem, const WorkPrecisionChoice& choice) {
@@ -63,8 +64,9 @@ WorkPrecisionPoint start_point(const std::string& problem, const WorkPrecisionCh
   point.element = choice.association.element;
   point.quadrature = choice.association.quadrature;
   point.resolution = choice.resolution();
-  point.solver = choice.solver;
-  point.tolerance = choice.tolerance;
+  point.solver = choice.solver.method;
+  point.precision = precision_name(choice.solver.precision);
+  point.tolerance = choice.solver.tolerance;
   return point;
 }
 
@@ -133,7 +135,7 @@ class Benchmark {
  private:
   using Choices = std::vector<WorkPrecisionChoice>;
   /// What runs of growing meshes have in common.
-  using Series = std::tuple<std::string, std::string, double>;
+  using Series = std::tuple<std::string, std::string, std::string, double>;
 
   void run_problem(const WorkPrecisionProblem& problem);
   void run_elastogen(const WorkPrecisionProblem& problem, const Choices& choices);
@@ -248,7 +250,7 @@ const SolvedScene* Benchmark::reference_of(const WorkPrecisionProblem& problem,
 
 bool Benchmark::has_point(const WorkPrecisionPoint& point, const std::string& hash) {
   if (!database_.find({point.problem, point.program, point.association, point.resolution,
-                       point.solver, point.tolerance, hash})) {
+                       point.solver, point.precision, point.tolerance, hash})) {
     return false;
   }
   ++outcome_.kept;
@@ -261,7 +263,7 @@ void Benchmark::keep(const WorkPrecisionPoint& point, const std::string& hash) {
   outcome_.failed += point.succeeded() ? 0 : 1;
   const std::string what =
       fmt::format("{} {}/{}  {} {} {} {:g}", point.problem, done_, total_, point.association,
-                  point.resolution, point.solver, point.tolerance);
+                  point.resolution, point.solver_text(), point.tolerance);
   options_.tell(point.succeeded()
                     ? fmt::format("{}: error {:.3g} %, {:.3g} s ({:.3g} s solve)", what,
                                   100 * point.error, point.process_seconds, point.solve_seconds)
@@ -272,7 +274,7 @@ void Benchmark::measure(const WorkPrecisionProblem& problem, const WorkPrecision
                         std::set<Series>& too_slow) {
   const std::string& name = problem.text().problem;
   WorkPrecisionPoint point = start_point(name, choice);
-  const Series series{point.association, point.solver, point.tolerance};
+  const Series series{point.association, point.solver, point.precision, point.tolerance};
   const std::string text = problem.scene(choice), hash = hash_of(text, point.law);
   if (too_slow.contains(series) || has_point(point, hash)) return;
 
@@ -315,8 +317,9 @@ void Benchmark::measure_calculix(const WorkPrecisionProblem& problem,
   point.element = element_type;
   point.quadrature.clear();
   point.solver = "spooles";
+  point.precision = "double";
   point.tolerance = calculix_tolerance;
-  const Series series{point.association, point.solver, point.tolerance};
+  const Series series{point.association, point.solver, point.precision, point.tolerance};
   if (too_slow.contains(series)) return;
 
   const fs::path scene_file = write_scene(file_name(name, choice), problem.scene(choice));

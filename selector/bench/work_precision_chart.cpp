@@ -25,11 +25,11 @@ struct Look {
 };
 
 std::string hover_text(const WorkPrecisionPoint& point) {
-  std::string text =
-      fmt::format("{}{}\n{}, {}, tolerance {:g}\nerror {}\nwhole process {}", point.association,
-                  point.program == "calculix" ? " (CalculiX)" : "", point.resolution, point.solver,
-                  point.tolerance, figure_text(point.error, TickFormat::percent),
-                  figure_text(point.process_seconds, TickFormat::seconds));
+  std::string text = fmt::format(
+      "{}{}\n{}, {}, tolerance {:g}\nerror {}\nwhole process {}", point.association,
+      point.program == "calculix" ? " (CalculiX)" : "", point.resolution, point.solver_text(),
+      point.tolerance, figure_text(point.error, TickFormat::percent),
+      figure_text(point.process_seconds, TickFormat::seconds));
   if (point.solve_seconds > 0) {
     text += fmt::format(", solve {}", figure_text(point.solve_seconds, TickFormat::seconds));
   }
@@ -44,7 +44,7 @@ ChartPoint chart_point(const WorkPrecisionPoint& point, WorkTime time) {
 
 bool same(const WorkPrecisionPoint& a, const WorkPrecisionPoint& b) {
   const auto key = [](const WorkPrecisionPoint& p) {
-    return std::tie(p.program, p.association, p.resolution, p.solver, p.tolerance);
+    return std::tie(p.program, p.association, p.resolution, p.solver, p.precision, p.tolerance);
   };
   return key(a) == key(b);
 }

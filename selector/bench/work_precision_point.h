@@ -17,6 +17,7 @@ struct WorkPrecisionPoint {
   std::string quadrature;   ///< "q8"; CalculiX: ""
   std::string resolution;   ///< "48x8x8"
   std::string solver;       ///< "cholesky", "cg"; CalculiX: what it says; dynamics: the scheme
+  std::string precision;    ///< of the kernels: "double", "mixed", "single"; CalculiX: "double"
   double tolerance = 0;     ///< Newton's relative residual
   std::size_t num_elements = 0;
   std::size_t num_dofs = 0;
@@ -41,6 +42,10 @@ struct WorkPrecisionPoint {
   std::string failure;  ///< why there is no `error`; empty if there is one
 
   [[nodiscard]] bool succeeded() const { return failure.empty(); }
+  /// "cg", "cg in mixed precision"
+  [[nodiscard]] std::string solver_text() const {
+    return precision == "double" ? solver : solver + " in " + precision + " precision";
+  }
 };
 
 /// Calls `visit(name, member)` for every member in the order above: the one list of them that
@@ -55,6 +60,7 @@ void for_each_field(Point& point, Visit&& visit) {
   visit("quadrature", point.quadrature);
   visit("resolution", point.resolution);
   visit("solver", point.solver);
+  visit("precision", point.precision);
   visit("tolerance", point.tolerance);
   visit("num_elements", point.num_elements);
   visit("num_dofs", point.num_dofs);

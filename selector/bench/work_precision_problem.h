@@ -9,17 +9,24 @@
 #include <string>
 #include <vector>
 
+#include "runtime/model.h"
 #include "selector/bench/work_precision_report.h"
 #include "symgen/pipeline.h"
 
 namespace elastogen::selector {
 
+/// How a scene is solved.
+struct SolverChoice {
+  std::string method;  ///< "cholesky", "cg"; of motions the scheme
+  Precision precision = Precision::double_precision;
+  double tolerance = 0;  ///< Newton's relative residual; of motions a part of the step, below
+};
+
 /// What one point is computed with.
 struct WorkPrecisionChoice {
   symgen::AssociationId association;
   std::vector<int> cells;  ///< as the problem's mesh has them: of a bar three, of a sphere two
-  std::string solver;      ///< "cholesky", "cg"; of motions the scheme
-  double tolerance = 0;    ///< Newton's relative residual; of motions a part of the step, below
+  SolverChoice solver;
 
   [[nodiscard]] std::string resolution() const;  ///< "48x8x8"
 };

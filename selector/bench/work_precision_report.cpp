@@ -95,8 +95,8 @@ std::string front_table(const Points& front) {
         "<td class=text>{}</td><td>{:g}</td><td>{}</td><td>{}</td>",
         figure_text(point.error, TickFormat::percent), seconds_text(point.process_seconds),
         seconds_text(point.solve_seconds), html_text(point.association),
-        html_text(point.resolution), html_text(point.solver), point.tolerance, point.num_dofs,
-        phase_bar(point));
+        html_text(point.resolution), html_text(point.solver_text()), point.tolerance,
+        point.num_dofs, phase_bar(point));
     for (const Phase& phase : phases)
       text += fmt::format("<td>{}</td>", seconds_text(point.*phase.seconds));
     text += fmt::format("<td>{}</td></tr>\n", seconds_text(point.cpu_seconds));
@@ -117,8 +117,8 @@ std::string failures(const Points& points) {
     if (point.succeeded()) continue;
     ++count;
     list += fmt::format("<li>{}, {}, {}, tolerance {:g}: {}</li>\n", html_text(point.association),
-                        html_text(point.resolution), html_text(point.solver), point.tolerance,
-                        html_text(point.failure));
+                        html_text(point.resolution), html_text(point.solver_text()),
+                        point.tolerance, html_text(point.failure));
   }
   if (count == 0) return {};
   return fmt::format("<details><summary>{} {} no figure</summary><ul>\n{}</ul></details>\n", count,

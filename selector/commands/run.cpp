@@ -75,21 +75,37 @@ Scene read_scene_with_options(const RunOptions& options) {
   return scene;
 }
 
-/// Kernels of the scene's associations, each made once.
-std::map<symgen::AssociationId, LoadedKernels> load_kernels(
-    const Problem& problem, const std::vector<std::string>& operations, const Context& context) {
+struct SceneKernels {
+  std::vector<LoadedKernels> loaded;  ///< hold the tables
+  std::vector<BlockKernels> of_block;
+};
+
+/// Kernels of the scene's associations, each made once in each precision.
+SceneKernels load_kernels(const Problem& problem, const std::vector<std::string>& operations,
+                          Precision precision, const Context& context) {
+  const OperationsByPrecision divided = divide_operations(operations, precision);
   std::vector<KernelRequest> requests;
   std::map<symgen::AssociationId, std::size_t> position;
   for (const SceneMesh::Block& block : problem.mesh.blocks) {
     if (!position.emplace(block.association, requests.size()).second) continue;
-    symgen::Instantiation what;
-    what.operations = operations;
-    requests.push_back({block.association, problem.laws.at(block.association.law), what});
+    KernelRequest request = {block.association, problem.laws.at(block.association.law), {}};
+    request.what.operations = divided.in_double;
+    requests.push_back(request);
+    if (precision == Precision::double_precision) continue;
+    request.what.operations = divided.in_single;
+    request.what.single_precision = true;
+    requests.push_back(request);
   }
   KernelLoader loader(context.loader_options());
-  std::vector<LoadedKernels> loaded = loader.load(requests);
-  std::map<symgen::AssociationId, LoadedKernels> kernels;
-  for (auto& [id, index] : position) kernels.emplace(id, std::move(loaded[index]));
+  SceneKernels kernels{loader.load(requests), {}};
+  for (const SceneMesh::Block& block : problem.mesh.blocks) {
+    const std::size_t at = position.at(block.association);
+    BlockKernels tables{&kernels.loaded[at].table<double>(), nullptr};
+    if (precision != Precision::double_precision) {
+      tables.in_single = &kernels.loaded[at + 1].table<float>();
+    }
+    kernels.of_block.push_back(tables);
+  }
   return kernels;
 }
 
@@ -194,31 +210,29 @@ int run(const RunOptions& options, const Context& context) {
   summary.times.mesh = watch.lap();
 
   summary.operations = operations_of(scene, problem);
-  const auto kernels = load_kernels(problem, summary.operations, context);
-  std::vector<const KernelTable<double>*> tables;
-  for (const SceneMesh::Block& block : problem.mesh.blocks) {
-    tables.push_back(&kernels.at(block.association).table<double>());
-  }
-  for (const auto& [id, loaded] : kernels) {
+  const Precision precision = scene.solver.precision;
+  const SceneKernels kernels = load_kernels(problem, summary.operations, precision, context);
+  for (const LoadedKernels& loaded : kernels.loaded) {
     const KernelBuildReport& report = loaded.report();
-    summary.kernels.push_back(
-        {report.association, report.up_to_date, report.generate_seconds, report.compile_seconds});
+    summary.kernels.push_back({report.association, loaded.scalar(), report.up_to_date,
+                               report.generate_seconds, report.compile_seconds});
   }
   summary.times.kernels = watch.lap();
 
   // A run that is resumed takes its own number of threads, for equal results.
   const int usual_threads = start ? start->threads : scene.solver.threads;
   Model model = with_location(scene.file.string(), "mesh", [&] {
-    return make_model(problem, tables, context.threads > 0 ? context.threads : usual_threads);
+    return make_model(problem, kernels.of_block, precision,
+                      context.threads > 0 ? context.threads : usual_threads);
   });
   summary.groups = model.groups();
   summary.threads = model.num_threads();
   if (scene.dynamics) summary.plan = plan_motion(scene, problem, model);
   const std::int64_t num_steps = summary.plan ? summary.plan->num_steps : scene.solver.load_steps;
   const double time_step = summary.plan ? summary.plan->options.step : 0;
-  Recorder recorder(
-      scene, problem, model, summary.folder, intervals_of(scene.output, num_steps),
-      run_fingerprint(scene, problem, tables, make_load(scene, problem, model), time_step));
+  Recorder recorder(scene, problem, model, summary.folder, intervals_of(scene.output, num_steps),
+                    run_fingerprint(scene, problem, kernels.of_block,
+                                    make_load(scene, problem, model), time_step));
   if (start) {
     check_fingerprint(recorder.fingerprint(), *start, summary.folder);
     summary.resumed_from = start->position(time_step);

@@ -48,6 +48,9 @@ class LoadedKernels {
   template <class Scalar>
   [[nodiscard]] const KernelTable<Scalar>& table() const;
 
+  /// "double" or "float"
+  [[nodiscard]] const char* scalar() const { return single_precision_ ? "float" : "double"; }
+
   [[nodiscard]] const KernelBuildReport& report() const { return report_; }
 
  private:

@@ -19,7 +19,7 @@ std::string_view bytes_of(const Number* numbers, std::size_t count) {
 /// Settings of the steps; a number's shortest text that reads back as itself stands for it.
 std::string settings_text(const Scene& scene, double time_step) {
   const std::string method = fmt::format(
-      "{} {}",
+      "{} {} {}", precision_name(scene.solver.precision),
       scene.solver.method == LinearSolverKind::cholesky ? "cholesky" : "conjugate gradient",
       scene.solver.projection ? projection_name(*scene.solver.projection) : "default");
   if (!scene.dynamics) {
@@ -35,7 +35,7 @@ std::string settings_text(const Scene& scene, double time_step) {
 }  // namespace
 
 std::string run_fingerprint(const Scene& scene, const Problem& problem,
-                            std::span<const KernelTable<double>* const> kernels, const Vector& load,
+                            std::span<const BlockKernels> kernels, const Vector& load,
                             double time_step) {
   const Mesh& mesh = problem.mesh.mesh;
   const std::string settings = settings_text(scene, time_step);
@@ -44,7 +44,7 @@ std::string run_fingerprint(const Scene& scene, const Problem& problem,
       bytes_of(load.data(), static_cast<std::size_t>(load.size()))};
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     const BlockMaterial& material = problem.materials[b];
-    parts.emplace_back(kernels[b]->hash);
+    parts.emplace_back(kernels[b].in_double->hash);
     parts.push_back(bytes_of(mesh.blocks[b].nodes.data(), mesh.blocks[b].nodes.size()));
     parts.push_back(bytes_of(material.parameters.data(), material.parameters.size()));
     parts.push_back(bytes_of(&material.density, 1));

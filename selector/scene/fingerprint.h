@@ -4,9 +4,9 @@
 #include <span>
 #include <string>
 
-#include "runtime/kernel_abi.h"
 #include "runtime/vector.h"
 #include "selector/scene/problem.h"
+#include "selector/scene/simulation.h"
 
 namespace elastogen::selector {
 
@@ -14,11 +14,11 @@ namespace elastogen::selector {
 /// kernels, materials, constraints, load, scheme and tolerances. When a run ends, what it writes
 /// and what it is called do not count.
 ///
-/// @param kernels    one table for each block of the mesh
+/// @param kernels    of each block of the mesh
 /// @param load       on all degrees of freedom [N]
 /// @param time_step  [s]; 0 in statics
 [[nodiscard]] std::string run_fingerprint(const Scene& scene, const Problem& problem,
-                                          std::span<const KernelTable<double>* const> kernels,
-                                          const Vector& load, double time_step);
+                                          std::span<const BlockKernels> kernels, const Vector& load,
+                                          double time_step);
 
 }  // namespace elastogen::selector

@@ -176,14 +176,27 @@ std::vector<ProbeDescription> read_probes(const TomlTable& scene, int dim) {
   return probes;
 }
 
+/// The value that a key names.
+template <class Value>
+Value choose(const TomlTable& table, const std::string& key, std::string_view (*name_of)(Value),
+             const std::vector<Value>& values) {
+  std::vector<std::string> names;
+  for (const Value value : values) names.emplace_back(name_of(value));
+  const std::string chosen = table.choice(key, names);
+  return values[static_cast<std::size_t>(std::find(names.begin(), names.end(), chosen) -
+                                         names.begin())];
+}
+
 SolverSettings read_solver(const TomlTable& table,
                            const std::optional<DynamicsDescription>& dynamics) {
+  const bool has_tangent = !dynamics || !is_explicit(dynamics->options.scheme);
   if (!dynamics) {
-    table.allow_only({"method", "project", "tolerance", "max_iterations", "load_steps", "threads"});
-  } else if (is_explicit(dynamics->options.scheme)) {
-    table.allow_only({"threads"});
+    table.allow_only(
+        {"method", "project", "precision", "tolerance", "max_iterations", "load_steps", "threads"});
+  } else if (has_tangent) {
+    table.allow_only({"method", "project", "precision", "threads"});
   } else {
-    table.allow_only({"method", "project", "threads"});
+    table.allow_only({"precision", "threads"});
   }
   SolverSettings solver;
   if (table.has("method")) {
@@ -192,13 +205,15 @@ SolverSettings read_solver(const TomlTable& table,
                         : LinearSolverKind::cholesky;
   }
   if (table.has("project")) {
-    constexpr std::array all = {TangentProjection::never, TangentProjection::on_demand,
-                                TangentProjection::always};
-    std::vector<std::string> names;
-    for (const TangentProjection p : all) names.emplace_back(projection_name(p));
-    const std::string chosen = table.choice("project", names);
-    solver.projection = *std::find_if(
-        all.begin(), all.end(), [&](TangentProjection p) { return projection_name(p) == chosen; });
+    solver.projection =
+        choose(table, "project", projection_name,
+               {TangentProjection::never, TangentProjection::on_demand, TangentProjection::always});
+  }
+  if (table.has("precision")) {
+    std::vector<Precision> allowed = {Precision::double_precision, Precision::single_precision};
+    // Without a tangent there is nothing to mix.
+    if (has_tangent) allowed.push_back(Precision::mixed);
+    solver.precision = choose(table, "precision", precision_name, allowed);
   }
   if (table.has("tolerance")) solver.tolerance = table.number("tolerance", {0, 1, true, true});
   if (table.has("max_iterations")) solver.max_iterations = table.integer("max_iterations", 1);

@@ -24,7 +24,19 @@ std::vector<std::string> operations_of(const Scene& scene, const Problem& proble
   return {"energy", "forces", "stiffness"};
 }
 
-Model make_model(const Problem& problem, std::span<const KernelTable<double>* const> kernels,
+OperationsByPrecision divide_operations(const std::vector<std::string>& operations,
+                                        Precision precision) {
+  OperationsByPrecision divided;
+  for (const std::string& operation : operations) {
+    const bool of_tangent = operation == "product" || operation == "stiffness";
+    const bool single =
+        precision == Precision::single_precision || (precision == Precision::mixed && of_tangent);
+    (single ? divided.in_single : divided.in_double).push_back(operation);
+  }
+  return divided;
+}
+
+Model make_model(const Problem& problem, std::span<const BlockKernels> kernels, Precision precision,
                  int threads) {
   const Mesh& mesh = problem.mesh.mesh;
   std::vector<ModelPart> parts;
@@ -32,10 +44,12 @@ Model make_model(const Problem& problem, std::span<const KernelTable<double>* co
     const BlockMaterial& material = problem.materials[b];
     // All elements of a block are of one region.
     parts.push_back({b, elements_of_region(mesh.blocks[b], mesh.blocks[b].region.front()),
-                     kernels[b], material.parameters, material.density});
+                     kernels[b].in_double, material.parameters, material.density,
+                     kernels[b].in_single});
   }
   ModelOptions options;
   options.threads = threads;
+  options.precision = precision;
   return Model(mesh, parts, options);
 }
 

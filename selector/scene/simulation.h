@@ -15,14 +15,27 @@
 
 namespace elastogen::selector {
 
+/// The kernels of one block of the mesh; `in_single` for precisions other than double.
+struct BlockKernels {
+  const KernelTable<double>* in_double = nullptr;
+  const KernelTable<float>* in_single = nullptr;
+};
+
 /// Operations that a scene's run calls; kernels need no others.
 [[nodiscard]] std::vector<std::string> operations_of(const Scene& scene, const Problem& problem);
 
-/// @param kernels  one table for each block of the mesh
+/// Which of them are called in double, and which in single precision.
+struct OperationsByPrecision {
+  std::vector<std::string> in_double, in_single;
+};
+[[nodiscard]] OperationsByPrecision divide_operations(const std::vector<std::string>& operations,
+                                                      Precision precision);
+
+/// @param kernels  of each block of the mesh
 /// @param threads  0: all
 /// @throws InputError  an inverted or degenerate element, by its number
-[[nodiscard]] Model make_model(const Problem& problem,
-                               std::span<const KernelTable<double>* const> kernels, int threads);
+[[nodiscard]] Model make_model(const Problem& problem, std::span<const BlockKernels> kernels,
+                               Precision precision, int threads);
 
 /// Gravity as a consistent body load, the nodal forces and those of surface loads [N].
 [[nodiscard]] Vector make_load(const Scene& scene, const Problem& problem, const Model& model);

@@ -48,7 +48,8 @@ std::vector<GroupSummary> joined(const std::vector<GroupSummary>& groups) {
   std::vector<GroupSummary> result;
   for (const GroupSummary& group : groups) {
     const auto same = std::find_if(result.begin(), result.end(), [&](const GroupSummary& other) {
-      return other.association == group.association && other.geometry == group.geometry;
+      return other.association == group.association && other.geometry == group.geometry &&
+             other.scalar == group.scalar;
     });
     if (same == result.end()) {
       result.push_back(group);
@@ -60,19 +61,27 @@ std::vector<GroupSummary> joined(const std::vector<GroupSummary>& groups) {
   return result;
 }
 
+/// Null for groups of no kernels in the list.
+const KernelOrigin* origin_of(const GroupSummary& group, const std::vector<KernelOrigin>& kernels) {
+  const auto found = std::find_if(kernels.begin(), kernels.end(), [&](const KernelOrigin& origin) {
+    return origin.association == group.association && origin.scalar == group.scalar;
+  });
+  return found == kernels.end() ? nullptr : &*found;
+}
+
 Json associations_json(const RunSummary& summary) {
   Json list = Json::array();
   for (const GroupSummary& group : joined(summary.groups)) {
     Json entry = {{"association", group.association},
                   {"geometry", group.geometry},
+                  {"scalar", group.scalar},
                   {"elements", group.num_elements},
                   {"constants_per_element", group.num_constants},
                   {"bytes_per_element", group.bytes_per_element}};
-    for (const KernelOrigin& origin : summary.kernels) {
-      if (origin.association != group.association) continue;
-      entry["up_to_date"] = origin.up_to_date;
-      entry["generate_seconds"] = origin.generate_seconds;
-      entry["compile_seconds"] = origin.compile_seconds;
+    if (const KernelOrigin* origin = origin_of(group, summary.kernels)) {
+      entry["up_to_date"] = origin->up_to_date;
+      entry["generate_seconds"] = origin->generate_seconds;
+      entry["compile_seconds"] = origin->compile_seconds;
     }
     list.push_back(std::move(entry));
   }
@@ -83,6 +92,7 @@ Json newton_json(const RunSummary& summary) {
   const NewtonResult& newton = *summary.newton;
   Json entry = {{"status", status_name(newton.status)},
                 {"method", method_name(summary.scene->solver.method)},
+                {"precision", precision_name(summary.scene->solver.precision)},
                 {"newton_iterations", newton.iterations},
                 {"cg_iterations", newton.linear_iterations},
                 {"factorizations", newton.factorizations},
@@ -102,6 +112,7 @@ Json motion_json(const RunSummary& summary) {
   const MotionResult& motion = *summary.motion;
   Json entry = {{"status", status_name(motion.status)},
                 {"scheme", scheme_name(plan.options.scheme)},
+                {"precision", precision_name(summary.scene->solver.precision)},
                 {"step", plan.options.step},
                 {"steps", motion.steps},
                 {"planned_steps", plan.num_steps},
@@ -162,14 +173,11 @@ Json surface_loads_json(const Problem& problem) {
   return list;
 }
 
-std::string kernel_text(const RunSummary& summary, const std::string& association) {
-  for (const KernelOrigin& origin : summary.kernels) {
-    if (origin.association != association) continue;
-    if (origin.up_to_date) return "up to date";
-    return fmt::format("generated {:.2f} s, compiled {:.1f} s", origin.generate_seconds,
-                       origin.compile_seconds);
-  }
-  return "";
+std::string kernel_text(const KernelOrigin* origin) {
+  if (!origin) return "";
+  if (origin->up_to_date) return "up to date";
+  return fmt::format("generated {:.2f} s, compiled {:.1f} s", origin->generate_seconds,
+                     origin->compile_seconds);
 }
 
 /// What rounds to zero is printed without a sign.
@@ -186,12 +194,13 @@ std::string vector_text(std::span<const double> vector, int precision) {
 }
 
 std::string associations_text(const RunSummary& summary) {
-  std::string text = fmt::format("  {:<31} {:<9}{:>9}{:>11}{:>15}  {}\n", "association", "geometry",
-                                 "elements", "constants", "bytes/element", "kernels");
+  std::string text =
+      fmt::format("  {:<31} {:<9}{:<7}{:>9}{:>11}{:>15}  {}\n", "association", "geometry", "scalar",
+                  "elements", "constants", "bytes/element", "kernels");
   for (const GroupSummary& group : joined(summary.groups)) {
-    text += fmt::format("  {:<31} {:<9}{:>9}{:>11}{:>15}  {}\n", group.association, group.geometry,
-                        group.num_elements, group.num_constants, group.bytes_per_element,
-                        kernel_text(summary, group.association));
+    text += fmt::format("  {:<31} {:<9}{:<7}{:>9}{:>11}{:>15}  {}\n", group.association,
+                        group.geometry, group.scalar, group.num_elements, group.num_constants,
+                        group.bytes_per_element, kernel_text(origin_of(group, summary.kernels)));
   }
   return text;
 }

@@ -16,6 +16,7 @@ namespace elastogen::selector {
 /// How one association's kernels were got.
 struct KernelOrigin {
   std::string association;
+  std::string scalar;  ///< "double", "float"
   bool up_to_date = false;
   double generate_seconds = 0;
   double compile_seconds = 0;

@@ -32,8 +32,8 @@ WorkPrecisionPoint sample_point() {
 }
 
 PointKey key_of(const WorkPrecisionPoint& point, const std::string& hash) {
-  return {point.problem,   point.program, point.association, point.resolution, point.solver,
-          point.tolerance, hash};
+  return {point.problem, point.program,   point.association, point.resolution,
+          point.solver,  point.precision, point.tolerance,   hash};
 }
 
 void expect_equal(const WorkPrecisionPoint& found, const WorkPrecisionPoint& expected) {
@@ -92,7 +92,7 @@ TEST_F(Database, FindsByTheWholeKey) {
   expect_equal(*database.find(key), point);
   for (std::string PointKey::*part :
        {&PointKey::problem, &PointKey::program, &PointKey::association, &PointKey::resolution,
-        &PointKey::solver, &PointKey::scene_hash}) {
+        &PointKey::solver, &PointKey::precision, &PointKey::scene_hash}) {
     PointKey other = key;
     other.*part += "x";
     EXPECT_FALSE(database.find(other).has_value());
@@ -215,13 +215,14 @@ TEST_F(Database, WritesATable) {
   point.value = 0.1;
   const std::filesystem::path table = folder.path() / "points.csv";
   write_points_csv(table, {point});
-  EXPECT_EQ(read_text_file(table, "table"),
-            "problem,program,association,law,element,quadrature,resolution,solver,tolerance,"
-            "num_elements,num_dofs,error,value,process_seconds,process_seconds_min,cpu_seconds,"
-            "mesh,kernels,setup,linearization,linear_solve,forces,output,solve_seconds,runs,scene,"
-            "failure\n"
-            "bending,,,,,,,,0,0,0,,0.10000000000000001,0,0,0,0,0,0,0,0,0,0,0,0,,"
-            "\"said \"\"no\"\", and stopped\"\n");
+  EXPECT_EQ(
+      read_text_file(table, "table"),
+      "problem,program,association,law,element,quadrature,resolution,solver,precision,tolerance,"
+      "num_elements,num_dofs,error,value,process_seconds,process_seconds_min,cpu_seconds,"
+      "mesh,kernels,setup,linearization,linear_solve,forces,output,solve_seconds,runs,scene,"
+      "failure\n"
+      "bending,,,,,,,,,0,0,0,,0.10000000000000001,0,0,0,0,0,0,0,0,0,0,0,0,,"
+      "\"said \"\"no\"\", and stopped\"\n");
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ WorkPrecisionPoint point(const std::string& element, double seconds, double erro
   result.association = result.program == "calculix" ? "stvk " + element : "stvk-" + element;
   result.resolution = "12x2x2";
   result.solver = "cholesky";
+  result.precision = "double";
   result.process_seconds = seconds;
   result.solve_seconds = result.program == "calculix" ? 0 : seconds / 2;
   result.error = error;

@@ -1,0 +1,231 @@
+#include "runtime/element_system.h"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "runtime/error.h"
+
+namespace elastogen {
+namespace {
+
+template <class Scalar>
+int count_threads(int asked, const std::vector<ElementGroup<Scalar>>& groups) {
+  if (asked < 0) throw InputError(fmt::format("threads = {}; must be 0 (all) or more", asked));
+  return asked > 0 ? asked : useful_threads(groups, omp_get_max_threads());
+}
+
+// Adds the diagonal blocks of one batch of element matrices to node_blocks, which starts at node
+// node_begin.
+template <class Layout, class Scalar>
+void add_diagonal_blocks(const ElementGroup<Scalar>& group, std::size_t batch,
+                         const Scalar* matrices, std::int32_t node_begin, double* node_blocks) {
+  constexpr int dim = Layout::dim;
+  constexpr int lanes = Layout::lanes;
+  const int n = group.num_nodes;
+  const std::int32_t* dofs = group.dofs.data() + batch * static_cast<std::size_t>(n * lanes);
+  for (int a = 0; a < n; ++a) {
+    for (int l = 0; l < group.used_lanes(batch); ++l) {
+      double* block = node_blocks + (dofs[a * lanes + l] / dim - node_begin) * dim * dim;
+      for (int i = 0; i < dim; ++i) {
+        const Scalar* row = matrices + ((a * dim + i) * n + a) * dim * lanes + l;
+        for (int j = 0; j < dim; ++j) block[i * dim + j] += row[j * lanes];
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void CompensatedSum::add(double value) {
+  const double next = sum + value;
+  lost += std::abs(sum) >= std::abs(value) ? (sum - next) + value : (value - next) + sum;
+  sum = next;
+}
+
+template <class Scalar>
+ElementSystem<Scalar>::ElementSystem(std::vector<ElementGroup<Scalar>> groups,
+                                     std::size_t num_nodes, int dim, int threads, bool two_stage)
+    : num_nodes_(num_nodes),
+      dim_(dim),
+      groups_(std::move(groups)),
+      threads_(count_threads(threads, groups_)),
+      shares_(plan_threads(groups_, threads_)),
+      workspaces_(shares_.size(), Workspace<Scalar>(groups_, true)),
+      statuses_(shares_.size()),
+      sums_(shares_.size()),
+      accumulator_(shares_, dim * dim) {
+  for (ElementGroup<Scalar>& group : groups_) {
+    compute_constants(group, threads_);
+    if (!two_stage) continue;
+    group.state.resize(group.num_batches * static_cast<std::size_t>(group.lanes) *
+                       static_cast<std::size_t>(group.kernels->num_state));
+  }
+}
+
+template <class Scalar>
+void ElementSystem<Scalar>::require(KernelFunction<Scalar> VariantTable<Scalar>::*kernel,
+                                    const char* name) const {
+  for (const ElementGroup<Scalar>& group : groups_) {
+    if (group.kernels->*kernel != nullptr) continue;
+    throw InternalError(fmt::format("kernels of {} ({}) were generated without the operation '{}'",
+                                    group.table->association, group.kernels->geometry, name));
+  }
+}
+
+template <class Scalar>
+ElementStatus ElementSystem<Scalar>::merged_status() const {
+  ElementStatus first;
+  for (const ElementStatus& status : statuses_) first.merge(status);
+  return first;
+}
+
+template <class Scalar>
+StiffnessAssembly<Scalar>& ElementSystem<Scalar>::stiffness_assembly() {
+  if (!assembly_) assembly_.emplace(groups_, num_nodes_, dim_, threads_);
+  return *assembly_;
+}
+
+// Runs a pass whose kernels give numbers per element node and sums them into `out`.
+template <class Scalar>
+ElementStatus ElementSystem<Scalar>::add_nodal(const ElementPass<Scalar>& pass, double* out) {
+  accumulator_.run(shares_, dim_, out, [&](int s, std::int32_t node_begin, double* array) {
+    const std::size_t thread = static_cast<std::size_t>(s);
+    const std::int32_t offset = node_begin * dim_;
+    statuses_[thread] =
+        run_pass(groups_, shares_[thread], pass, dim_, workspaces_[thread],
+                 [&](auto layout, const ElementGroup<Scalar>& group, std::size_t batch,
+                     const Scalar* value) {
+                   const auto per_batch = static_cast<std::size_t>(group.num_nodes * layout.lanes);
+                   layout.scatter(group.dofs.data() + batch * per_batch, group.num_nodes,
+                                  group.used_lanes(batch), value, offset, array);
+                 });
+  });
+  return merged_status();
+}
+
+// Runs the energy kernel; `consume(thread, group, batch, energies)` takes each batch's result.
+template <class Scalar>
+template <class Consume>
+ElementStatus ElementSystem<Scalar>::for_each_energy(const double* u, Consume&& consume) {
+  require(&VariantTable<Scalar>::energy, "energy");
+  ElementPass<Scalar> pass;
+  pass.kernel = &VariantTable<Scalar>::energy;
+  pass.displacement = u;
+#pragma omp parallel for schedule(static, 1) num_threads(threads_)
+  for (int s = 0; s < threads_; ++s) {
+    const std::size_t thread = static_cast<std::size_t>(s);
+    statuses_[thread] =
+        run_pass(groups_, shares_[thread], pass, 0, workspaces_[thread],
+                 [&](auto, const ElementGroup<Scalar>& group, std::size_t batch,
+                     const Scalar* energies) { consume(thread, group, batch, energies); });
+  }
+  return merged_status();
+}
+
+template <class Scalar>
+ElementStatus ElementSystem<Scalar>::energy(const double* u, double& energy) {
+  std::fill(sums_.begin(), sums_.end(), CompensatedSum{});
+  const ElementStatus status =
+      for_each_energy(u, [&](std::size_t thread, const ElementGroup<Scalar>& group,
+                             std::size_t batch, const Scalar* energies) {
+        double sum = 0;
+        for (int l = 0; l < group.used_lanes(batch); ++l) sum += energies[l];
+        sums_[thread].add(sum);
+      });
+  CompensatedSum total;
+  for (const CompensatedSum& sum : sums_) total.add(sum.value());
+  energy = total.value();
+  return status;
+}
+
+template <class Scalar>
+ElementStatus ElementSystem<Scalar>::element_energies(const double* u, double* energies) {
+  return for_each_energy(u, [&](std::size_t, const ElementGroup<Scalar>& group, std::size_t batch,
+                                const Scalar* values) {
+    const std::int32_t* elements =
+        group.elements.data() + batch * static_cast<std::size_t>(group.lanes);
+    for (int l = 0; l < group.used_lanes(batch); ++l) energies[elements[l]] = values[l];
+  });
+}
+
+template <class Scalar>
+ElementStatus ElementSystem<Scalar>::forces(const double* u, double* f) {
+  require(&VariantTable<Scalar>::forces, "forces");
+  ElementPass<Scalar> pass;
+  pass.kernel = &VariantTable<Scalar>::forces;
+  pass.displacement = u;
+  return add_nodal(pass, f);
+}
+
+template <class Scalar>
+ElementStatus ElementSystem<Scalar>::store_states(const double* u) {
+  ElementPass<Scalar> pass;
+  pass.kernel = &VariantTable<Scalar>::linearize;
+  pass.displacement = u;
+#pragma omp parallel for schedule(static, 1) num_threads(threads_)
+  for (int s = 0; s < threads_; ++s) {
+    const std::size_t thread = static_cast<std::size_t>(s);
+    ElementStatus first;
+    for (const BatchRange& range : shares_[thread].ranges) {
+      ElementGroup<Scalar>& group = groups_[range.group];
+      with_layout(group, [&](auto layout) {
+        const std::size_t size = static_cast<std::size_t>(group.kernels->num_state * layout.lanes);
+        for (std::size_t batch = range.begin; batch < range.end; ++batch) {
+          first.merge(compute_batch<decltype(layout)>(group, batch, pass, workspaces_[thread],
+                                                      group.state.data() + batch * size));
+        }
+      });
+    }
+    statuses_[thread] = first;
+  }
+  return merged_status();
+}
+
+template <class Scalar>
+ElementStatus ElementSystem<Scalar>::product(const double* u, const double* v, double scale,
+                                             double* df) {
+  require(&VariantTable<Scalar>::product, "product");
+  return add_nodal({&VariantTable<Scalar>::product, u, v, scale}, df);
+}
+
+template <class Scalar>
+ElementStatus ElementSystem<Scalar>::apply(const double* v, double scale, double* df) {
+  return add_nodal({&VariantTable<Scalar>::apply, nullptr, v, scale}, df);
+}
+
+template <class Scalar>
+ElementStatus ElementSystem<Scalar>::assemble(const double* u, TangentForm form,
+                                              Eigen::SparseMatrix<double>& stiffness) {
+  require(&VariantTable<Scalar>::stiffness, "stiffness");
+  shape(stiffness);
+  return stiffness_assembly().run(groups_, u, form, stiffness.valuePtr());
+}
+
+template <class Scalar>
+ElementStatus ElementSystem<Scalar>::diagonal_blocks(const double* u, double* blocks) {
+  require(&VariantTable<Scalar>::stiffness, "stiffness");
+  ElementPass<Scalar> pass;
+  pass.kernel = &VariantTable<Scalar>::stiffness;
+  pass.displacement = u;
+  accumulator_.run(
+      shares_, dim_ * dim_, blocks, [&](int s, std::int32_t node_begin, double* array) {
+        const std::size_t thread = static_cast<std::size_t>(s);
+        // The kernels overwrite their matrices: nothing to clear beforehand (0 values per node).
+        statuses_[thread] = run_pass(groups_, shares_[thread], pass, 0, workspaces_[thread],
+                                     [&](auto layout, const ElementGroup<Scalar>& group,
+                                         std::size_t batch, const Scalar* matrices) {
+                                       add_diagonal_blocks<decltype(layout)>(group, batch, matrices,
+                                                                             node_begin, array);
+                                     });
+      });
+  return merged_status();
+}
+
+template class ElementSystem<double>;
+template class ElementSystem<float>;
+
+}  // namespace elastogen
