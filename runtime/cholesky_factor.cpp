@@ -4,47 +4,26 @@
 #include <Eigen/SparseCholesky>
 
 namespace elastogen {
-namespace {
 
-template <class Ordering>
-class Simplicial final : public CholeskyFactor {
- public:
-  void analyze(const Matrix& matrix) override { factor_.analyzePattern(matrix); }
-  bool factorize(const Matrix& matrix) override {
-    factor_.factorize(matrix);
-    return factor_.info() == Eigen::Success;
+struct SimplicialCholesky::Factor
+    : Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> {
+  [[nodiscard]] double multiplications() const {
+    return m_nonZerosPerCol.cast<double>().squaredNorm();
   }
-  void solve(const Vector& b, Vector& x) override { x = factor_.solve(b); }
-  [[nodiscard]] double multiplications() const { return factor_.multiplications(); }
-
- private:
-  struct Factor : Eigen::SimplicialLLT<Matrix, Eigen::Lower, Ordering> {
-    [[nodiscard]] double multiplications() const {
-      return this->m_nonZerosPerCol.template cast<double>().squaredNorm();
-    }
-  };
-  Factor factor_;
 };
 
-}  // namespace
-
-SimplicialCholesky::SimplicialCholesky() = default;
+SimplicialCholesky::SimplicialCholesky() : factor_(std::make_unique<Factor>()) {}
 SimplicialCholesky::~SimplicialCholesky() = default;
 
-void SimplicialCholesky::analyze(const Matrix& matrix) {
-  auto natural = std::make_unique<Simplicial<Eigen::NaturalOrdering<int>>>();
-  auto minimum_degree = std::make_unique<Simplicial<Eigen::AMDOrdering<int>>>();
-  natural->analyze(matrix);
-  minimum_degree->analyze(matrix);
-  multiplications_ = std::min(natural->multiplications(), minimum_degree->multiplications());
-  if (natural->multiplications() <= minimum_degree->multiplications()) {
-    chosen_ = std::move(natural);
-  } else {
-    chosen_ = std::move(minimum_degree);
-  }
+void SimplicialCholesky::analyze(const Matrix& matrix) { factor_->analyzePattern(matrix); }
+
+bool SimplicialCholesky::factorize(const Matrix& matrix) {
+  factor_->factorize(matrix);
+  return factor_->info() == Eigen::Success;
 }
 
-bool SimplicialCholesky::factorize(const Matrix& matrix) { return chosen_->factorize(matrix); }
-void SimplicialCholesky::solve(const Vector& b, Vector& x) { chosen_->solve(b, x); }
+void SimplicialCholesky::solve(const Vector& b, Vector& x) { x = factor_->solve(b); }
+
+double SimplicialCholesky::multiplications() const { return factor_->multiplications(); }
 
 }  // namespace elastogen

@@ -9,14 +9,14 @@
 
 namespace elastogen {
 
-/// L L^T = P A P^T of a symmetric sparse matrix A, with an ordering P of its own.
+/// L L^T = A of a symmetric sparse matrix A, whose rows come in an order that makes L sparse.
 class CholeskyFactor {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
 
   virtual ~CholeskyFactor() = default;
 
-  /// Takes up a pattern: chooses the ordering, finds the pattern of L.
+  /// Takes up a pattern: finds that of L.
   /// @param matrix  lower triangle, compressed; its values are not read
   virtual void analyze(const Matrix& matrix) = 0;
   /// @param matrix  of the pattern analysed
@@ -28,8 +28,7 @@ class CholeskyFactor {
 
 using MakeCholeskyFactor = std::function<std::unique_ptr<CholeskyFactor>()>;
 
-/// Eigen's, column by column, in the matrix's own order or by minimum degree, whichever costs less:
-/// long bodies numbered section by section do better as they are.
+/// Eigen's, column by column.
 class SimplicialCholesky final : public CholeskyFactor {
  public:
   SimplicialCholesky();
@@ -40,11 +39,11 @@ class SimplicialCholesky final : public CholeskyFactor {
   void solve(const Vector& b, Vector& x) override;
 
   /// Of one factorisation, after `analyze`: squares of the columns' lengths, summed.
-  [[nodiscard]] double multiplications() const { return multiplications_; }
+  [[nodiscard]] double multiplications() const;
 
  private:
-  std::unique_ptr<CholeskyFactor> chosen_;
-  double multiplications_ = 0;
+  struct Factor;
+  std::unique_ptr<Factor> factor_;
 };
 
 }  // namespace elastogen

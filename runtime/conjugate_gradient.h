@@ -1,36 +1,34 @@
-// Conjugate gradient on the model's product, preconditioned by the nodes' blocks of K + s D.
+// Conjugate gradient on the model's product, preconditioned.
 #pragma once
 
-#include <vector>
+#include <memory>
 
 #include "runtime/linear_solver.h"
+#include "runtime/preconditioner.h"
 
 namespace elastogen {
 
 class ConjugateGradient final : public LinearSolver {
  public:
-  ConjugateGradient(Model& model, const Constraints& constraints, int max_iterations);
+  ConjugateGradient(Model& model, const Constraints& constraints,
+                    std::unique_ptr<Preconditioner> preconditioner, int max_iterations);
 
   void update() override;
   [[nodiscard]] bool set_shift(double shift) override;
   LinearSolveReport solve(const ConstVectorRef& b, double tolerance, VectorRef x) override;
-  [[nodiscard]] const Vector& diagonal() const override { return diagonal_; }
+  void forget() override { preconditioner_->forget(); }
+  [[nodiscard]] const Vector& diagonal() const override { return preconditioner_->diagonal(); }
+  [[nodiscard]] int factorizations() const override { return preconditioner_->factorizations(); }
 
  private:
-  template <int Dim>
-  void invert_blocks();
-  template <int Dim>
-  double precondition();
-
   void multiply();
 
   Model& model_;
   const Constraints& constraints_;
   int max_iterations_;
+  std::unique_ptr<Preconditioner> preconditioner_;
   double shift_ = 0;
-  std::vector<double> blocks_;    // [node][i][j] of K
-  std::vector<double> inverses_;  // [node][i][j] of (K + s D)^-1 on the free components
-  Vector diagonal_, scale_;       // of K; D
+  Vector scale_;  // D
   Vector residual_, preconditioned_, direction_, product_;
 };
 

@@ -64,13 +64,4 @@ void Constraints::project_constrained(VectorRef v) const {
   }
 }
 
-std::vector<std::int32_t> Constraints::free_numbers() const {
-  std::vector<std::int32_t> numbers(num_dofs(), -1);
-  std::int32_t next = 0;
-  for (std::size_t dof = 0; dof < num_dofs(); ++dof) {
-    if (constrained_[dof] == 0) numbers[dof] = next++;
-  }
-  return numbers;
-}
-
 }  // namespace elastogen

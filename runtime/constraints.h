@@ -42,9 +42,6 @@ class Constraints {
   /// Sets v to 0 where free.
   void project_constrained(VectorRef v) const;
 
-  /// Number of each degree of freedom among the free ones, -1 where constrained.
-  [[nodiscard]] std::vector<std::int32_t> free_numbers() const;
-
  private:
   int dim_;
   std::size_t num_constrained_ = 0;

@@ -1,8 +1,11 @@
 #include "runtime/linear_solver.h"
 
 #include <array>
+#include <utility>
 
 #include "runtime/conjugate_gradient.h"
+#include "runtime/earlier_cholesky.h"
+#include "runtime/node_blocks.h"
 #include "runtime/sparse_cholesky.h"
 
 namespace elastogen {
@@ -12,12 +15,24 @@ std::string_view projection_name(TangentProjection projection) {
   return names[static_cast<std::size_t>(projection)];
 }
 
+std::string_view solver_name(LinearSolverKind kind) {
+  constexpr std::array<std::string_view, 3> names = {"cg", "cholesky", "cholesky_cg"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
 std::unique_ptr<LinearSolver> make_linear_solver(const LinearSolverOptions& options, Model& model,
                                                  const Constraints& constraints) {
   if (options.kind == LinearSolverKind::cholesky) {
     return std::make_unique<SparseCholesky>(model, constraints, options.cholesky());
   }
-  return std::make_unique<ConjugateGradient>(model, constraints, options.max_iterations);
+  std::unique_ptr<Preconditioner> preconditioner;
+  if (options.kind == LinearSolverKind::cholesky_cg) {
+    preconditioner = std::make_unique<EarlierCholesky>(model, constraints, options.cholesky());
+  } else {
+    preconditioner = std::make_unique<NodeBlocks>(model, constraints);
+  }
+  return std::make_unique<ConjugateGradient>(model, constraints, std::move(preconditioner),
+                                             options.max_iterations);
 }
 
 Vector shift_scale(const Vector& diagonal) {

@@ -20,7 +20,13 @@ namespace elastogen {
 enum class LinearSolverKind {
   conjugate_gradient,  ///< on the model's product, preconditioned by the nodes' blocks of K
   cholesky,            ///< of the assembled K
+  /// Conjugate gradient preconditioned by the Cholesky factor of an earlier tangent, which is
+  /// renewed when iterations rise: what is solved depends on the solves before it, to `tolerance`.
+  cholesky_cg,
 };
+
+/// "cg", "cholesky", "cholesky_cg"
+[[nodiscard]] std::string_view solver_name(LinearSolverKind kind);
 
 struct LinearSolverOptions {
   LinearSolverKind kind = LinearSolverKind::conjugate_gradient;
@@ -66,6 +72,9 @@ class LinearSolver {
   /// Takes up the model's linearisation point.
   virtual void update() = 0;
 
+  /// Forgets what it has of earlier points: what follows depends on later ones only.
+  virtual void forget() {}
+
   /// Sets the shift s for the solves that follow.
   /// @return false if K + A + s D is seen not to be positive definite (a factorisation failed);
   ///         always true for conjugate gradient, which sees it while solving
@@ -75,8 +84,11 @@ class LinearSolver {
   /// b is read on the free degrees of freedom only.
   virtual LinearSolveReport solve(const ConstVectorRef& b, double tolerance, VectorRef x) = 0;
 
-  /// Diagonal of K + A [N/m] at the last update.
+  /// Diagonal of K + A [N/m] at the last update, of cholesky_cg where it last factorised.
   [[nodiscard]] virtual const Vector& diagonal() const = 0;
+
+  /// Sparse factorisations so far.
+  [[nodiscard]] virtual int factorizations() const { return 0; }
 
   [[nodiscard]] const LinearSolverTimes& times() const { return times_; }
 

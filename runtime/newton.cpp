@@ -155,7 +155,6 @@ bool StaticSolver::find_direction(double forcing, bool has_gap) {
       model_.product(gap_, 1, right_side_);
       constraints_.project(right_side_);
     }
-    if (options_.linear_solver.kind == LinearSolverKind::cholesky) ++result_.factorizations;
     if (solver_->set_shift(shift_)) {
       const LinearSolveReport report = solver_->solve(right_side_, forcing, direction_);
       result_.linear_iterations += report.iterations;
@@ -231,6 +230,7 @@ StepOutcome StaticSolver::solve_load_step(double factor) {
   gap_ -= state_.u;
   bool has_gap = gap_.squaredNorm() > 0;
 
+  solver_->forget();  // a load step depends on its start only: LoadState
   evaluate_start(factor);
   start_residual_ = state_.residual_norm;
   previous_residual_ = 0;
@@ -313,6 +313,7 @@ NewtonResult StaticSolver::result() {
   result_.reactions = -(potential_.load() + state_.forces);
   constraints_.project_constrained(result_.reactions);
   const LinearSolverTimes& times = solver_->times();
+  result_.factorizations = solver_->factorizations();
   result_.times.forces = potential_.seconds();
   result_.times.linearization += times.assembly + times.product;
   result_.times.solve = times.factorization + times.solve;

@@ -3,17 +3,30 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/elimination_order.h"
 #include "runtime/stopwatch.h"
 
 namespace elastogen {
 SparseCholesky::SparseCholesky(Model& model, const Constraints& constraints,
                                std::unique_ptr<CholeskyFactor> factor)
     : model_(model),
-      free_numbers_(constraints.free_numbers()),
+      constraints_(constraints),
       diagonal_(Vector::Zero(static_cast<Eigen::Index>(model.num_dofs()))),
       free_b_(static_cast<Eigen::Index>(constraints.num_free())),
       free_x_(free_b_.size()),
       factor_(std::move(factor)) {}
+
+// Rows of the free degrees of freedom, node by node.
+void SparseCholesky::number_free() {
+  const auto dim = static_cast<std::size_t>(model_.dim());
+  free_numbers_.assign(model_.num_dofs(), -1);
+  std::int32_t next = 0;
+  for (const std::int32_t node : elimination_order(stiffness_, model_.dim())) {
+    for (std::size_t dof = dim * static_cast<std::size_t>(node), i = 0; i < dim; ++i, ++dof) {
+      if (!constraints_.is_constrained(dof)) free_numbers_[dof] = next++;
+    }
+  }
+}
 
 // Lower triangle of the free part of stiffness_ and where its values are.
 void SparseCholesky::find_pattern() {
@@ -59,6 +72,7 @@ void SparseCholesky::update() {
   }
   if (sources_.empty()) {
     const Stopwatch watch(times_.factorization);
+    number_free();
     find_pattern();
     factor_->analyze(free_matrix_);
   }
@@ -81,6 +95,7 @@ bool SparseCholesky::set_shift(double shift) {
       free_matrix_.valuePtr()[value] += added[static_cast<Eigen::Index>(dof)];
     }
   }
+  ++factorizations_;
   return factor_->factorize(free_matrix_);
 }
 

@@ -19,13 +19,16 @@ class SparseCholesky final : public LinearSolver {
   [[nodiscard]] bool set_shift(double shift) override;
   LinearSolveReport solve(const ConstVectorRef& b, double tolerance, VectorRef x) override;
   [[nodiscard]] const Vector& diagonal() const override { return diagonal_; }
+  [[nodiscard]] int factorizations() const override { return factorizations_; }
 
  private:
   using Matrix = Eigen::SparseMatrix<double>;
 
+  void number_free();
   void find_pattern();
 
   Model& model_;
+  const Constraints& constraints_;
   std::vector<std::int32_t> free_numbers_;     // [dof] row in free_matrix_, -1 where constrained
   Matrix stiffness_;                           // all degrees of freedom, full storage
   Matrix free_matrix_;                         // free ones, lower triangle
@@ -34,6 +37,7 @@ class SparseCholesky final : public LinearSolver {
   Vector diagonal_;
   Vector free_b_, free_x_;
   std::unique_ptr<CholeskyFactor> factor_;
+  int factorizations_ = 0;
 };
 
 }  // namespace elastogen

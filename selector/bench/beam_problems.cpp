@@ -17,10 +17,11 @@ const MeshFamilies meshes = {
     {{6, 1, 1}, {12, 2, 2}, {24, 4, 4}, {36, 6, 6}, {48, 8, 8}, {72, 12, 12}},
     // With one hexa20 of 8 points across, motions without energy spoil the bending.
     {{4, 2, 2}, {8, 2, 2}, {12, 2, 2}, {16, 3, 3}, {24, 4, 4}}};
-const std::vector<SolverChoice> solvers = {{"cholesky", Precision::double_precision, 1e-8},
+const std::vector<SolverChoice> solvers = {{"cholesky_cg", Precision::double_precision, 1e-8},
+                                           {"cholesky", Precision::double_precision, 1e-8},
                                            {"cg", Precision::double_precision, 1e-8},
                                            {"cg", Precision::mixed, 1e-8},
-                                           {"cholesky", Precision::double_precision, 1e-4},
+                                           {"cholesky_cg", Precision::double_precision, 1e-4},
                                            {"cg", Precision::single_precision, 1e-4}};
 
 std::string beam(const std::string& title, std::span<const BeamSection> sections,
@@ -143,7 +144,8 @@ class Torsion : public WorkPrecisionProblem {
     const MeshFamilies coarser = {{meshes.linear.begin(), meshes.linear.end() - 1},
                                   {meshes.quadratic.begin(), meshes.quadratic.end() - 1}};
     return all_choices(selection, {"stvk"}, coarser,
-                       {{"cholesky", Precision::double_precision, 1e-6},
+                       {{"cholesky_cg", Precision::double_precision, 1e-6},
+                        {"cholesky", Precision::double_precision, 1e-6},
                         {"cg", Precision::double_precision, 1e-6},
                         {"cg", Precision::mixed, 1e-6}});
   }

@@ -42,7 +42,8 @@ class Sphere : public WorkPrecisionProblem {
         large_ ? std::vector<std::string>{"neo_hookean", "stable_neo_hookean"}
                : std::vector<std::string>{"hooke"};
     return all_choices(selection, laws, meshes,
-                       {{"cholesky", Precision::double_precision, 1e-8},
+                       {{"cholesky_cg", Precision::double_precision, 1e-8},
+                        {"cholesky", Precision::double_precision, 1e-8},
                         {"cg", Precision::double_precision, 1e-8},
                         {"cg", Precision::mixed, 1e-8},
                         {"cg", Precision::single_precision, 1e-4}});

@@ -17,7 +17,7 @@ namespace elastogen::selector {
 
 /// How a scene is solved.
 struct SolverChoice {
-  std::string method;  ///< "cholesky", "cg"; of motions the scheme
+  std::string method;  ///< "cholesky", "cg", "cholesky_cg"; of motions the scheme
   Precision precision = Precision::double_precision;
   double tolerance = 0;  ///< Newton's relative residual; of motions a part of the step, below
 };

@@ -153,6 +153,23 @@ void check_fingerprint(const std::string& fingerprint, const Checkpoint& checkpo
       checkpoint_file(folder).string()));
 }
 
+/// Why a resumed run may not come to the same bits as one that was not interrupted.
+std::vector<std::string> resume_warnings(const Scene& scene, const Checkpoint& start, int threads) {
+  std::vector<std::string> warnings;
+  if (start.threads != threads) {
+    warnings.push_back(fmt::format(
+        "computed with {} threads so far and with {} from here: the last bits will differ from a "
+        "run that was not interrupted",
+        start.threads, threads));
+  }
+  if (scene.dynamics && scene.solver.method == LinearSolverKind::cholesky_cg) {
+    warnings.push_back(
+        "the factor that 'cholesky_cg' had is not kept: from here results agree with those of a "
+        "run that was not interrupted to the linear tolerance, not to the last bit");
+  }
+  return warnings;
+}
+
 /// Makes the run's steps, and fills in what came of it.
 BodyState make_steps(const Scene& scene, const Problem& problem, Model& model, Recorder& recorder,
                      const Checkpoint* start, const Context& context, RunSummary& summary) {
@@ -237,12 +254,9 @@ int run(const RunOptions& options, const Context& context) {
     check_fingerprint(recorder.fingerprint(), *start, summary.folder);
     summary.resumed_from = start->position(time_step);
     context.tell(fmt::format("resuming from step {}", summary.resumed_from->step));
-    if (start->threads != summary.threads) {
-      summary.warnings.push_back(fmt::format(
-          "computed with {} threads so far and with {} from here: the last bits will differ from a "
-          "run that was not interrupted",
-          start->threads, summary.threads));
-      warn(summary.warnings.back());
+    for (const std::string& warning : resume_warnings(scene, *start, summary.threads)) {
+      summary.warnings.push_back(warning);
+      warn(warning);
     }
     recorder.resume(*start);
   } else {

@@ -200,9 +200,9 @@ SolverSettings read_solver(const TomlTable& table,
   }
   SolverSettings solver;
   if (table.has("method")) {
-    solver.method = table.choice("method", {"cg", "cholesky"}) == "cg"
-                        ? LinearSolverKind::conjugate_gradient
-                        : LinearSolverKind::cholesky;
+    solver.method = choose(table, "method", solver_name,
+                           {LinearSolverKind::conjugate_gradient, LinearSolverKind::cholesky,
+                            LinearSolverKind::cholesky_cg});
   }
   if (table.has("project")) {
     solver.projection =

@@ -18,7 +18,7 @@ std::vector<std::string> operations_of(const Scene& scene, const Problem& proble
   // Conjugate gradient takes the blocks of its preconditioner from the stiffness. Where constrained
   // nodes have to move, a solve starts from the linear answer to that, which takes products.
   const bool has_gap = !problem.motion.empty() || scene.start != Start::rest;
-  if (scene.solver.method == LinearSolverKind::conjugate_gradient || has_gap) {
+  if (scene.solver.method != LinearSolverKind::cholesky || has_gap) {
     return {"energy", "forces", "product", "stiffness"};
   }
   return {"energy", "forces", "stiffness"};

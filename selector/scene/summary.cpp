@@ -39,10 +39,6 @@ const char* status_name(MotionStatus status) {
   return "failed";
 }
 
-const char* method_name(LinearSolverKind method) {
-  return method == LinearSolverKind::cholesky ? "cholesky" : "cg";
-}
-
 /// Groups of the same association and geometry, joined over the parts.
 std::vector<GroupSummary> joined(const std::vector<GroupSummary>& groups) {
   std::vector<GroupSummary> result;
@@ -91,7 +87,7 @@ Json associations_json(const RunSummary& summary) {
 Json newton_json(const RunSummary& summary) {
   const NewtonResult& newton = *summary.newton;
   Json entry = {{"status", status_name(newton.status)},
-                {"method", method_name(summary.scene->solver.method)},
+                {"method", solver_name(summary.scene->solver.method)},
                 {"precision", precision_name(summary.scene->solver.precision)},
                 {"newton_iterations", newton.iterations},
                 {"cg_iterations", newton.linear_iterations},
@@ -124,7 +120,7 @@ Json motion_json(const RunSummary& summary) {
   if (plan.critical_step) {
     entry["critical_step"] = *plan.critical_step;
   } else {
-    entry["method"] = method_name(summary.scene->solver.method);
+    entry["method"] = solver_name(summary.scene->solver.method);
     entry["cg_iterations"] = motion.linear_iterations;
     entry["halved_steps"] = motion.halvings;
   }
@@ -259,11 +255,16 @@ std::string results_text(const RunSummary& summary) {
 std::string newton_text(const RunSummary& summary) {
   const NewtonResult& newton = *summary.newton;
   std::string text = fmt::format("  solver              {}: {}, {} Newton iterations, ",
-                                 method_name(summary.scene->solver.method),
+                                 solver_name(summary.scene->solver.method),
                                  status_name(newton.status), newton.iterations);
-  text += summary.scene->solver.method == LinearSolverKind::cholesky
-              ? fmt::format("{} factorizations", newton.factorizations)
-              : fmt::format("{} CG iterations", newton.linear_iterations);
+  std::vector<std::string> counts;
+  if (newton.linear_iterations > 0 || newton.factorizations == 0) {
+    counts.push_back(fmt::format("{} CG iterations", newton.linear_iterations));
+  }
+  if (newton.factorizations > 0) {
+    counts.push_back(fmt::format("{} factorizations", newton.factorizations));
+  }
+  text += join(counts, ", ");
   if (newton.projections > 0) text += fmt::format(", {} projections", newton.projections);
   if (newton.load_steps > 1) text += fmt::format(", {} load steps", newton.load_steps);
   return text + "\n";
@@ -283,7 +284,7 @@ std::string motion_text(const RunSummary& summary) {
     text += fmt::format("critical step {:.4g} s", *plan.critical_step);
   } else {
     text += fmt::format("{}, {:.1f} CG iterations per step, {} steps halved",
-                        method_name(summary.scene->solver.method),
+                        solver_name(summary.scene->solver.method),
                         static_cast<double>(motion.linear_iterations) / made, motion.halvings);
   }
   return text + fmt::format("; {:.3g} ms per step\n", 1000 * motion.seconds / made);

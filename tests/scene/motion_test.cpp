@@ -275,20 +275,38 @@ TEST_F(Steps, PrescribedMotionFollowsItsHistory) {
 }
 
 TEST_F(Steps, LoadStepsGoOnToTheSameFiles) {
-  const std::string steps = "[solver]\nload_steps = 4\nmax_iterations = ";
-  expect_run(twisted_bar + steps + "100\n");
-  const nlohmann::json whole = summary();
-  const auto expected = results();
-  EXPECT_TRUE(expected.contains("series/step_000004.vtu"));
-  EXPECT_EQ(history_lines().size(), 1U + 5U);
-  const int iterations = whole["solver"]["newton_iterations"];
-  std::filesystem::remove_all(out());
+  for (const std::string method : {"cg", "cholesky_cg"}) {
+    const std::string steps =
+        fmt::format("[solver]\nmethod = \"{}\"\nload_steps = 4\nmax_iterations = ", method);
+    expect_run(twisted_bar + steps + "100\n");
+    const nlohmann::json whole = summary();
+    const auto expected = results();
+    EXPECT_TRUE(expected.contains("series/step_000004.vtu"));
+    EXPECT_EQ(history_lines().size(), 1U + 5U);
+    const int iterations = whole["solver"]["newton_iterations"];
+    std::filesystem::remove_all(out());
 
-  expect_run(twisted_bar + steps + std::to_string(iterations - 3) + "\n", {}, 1);
-  expect_run(twisted_bar + steps + "100\n", {"--resume"});
-  EXPECT_GT(summary()["resumed_from"]["step"], 0);
-  EXPECT_EQ(summary()["solver"]["newton_iterations"], iterations);
-  EXPECT_EQ(results(), expected);
+    expect_run(twisted_bar + steps + std::to_string(iterations - 3) + "\n", {}, 1);
+    expect_run(twisted_bar + steps + "100\n", {"--resume"});
+    EXPECT_GT(summary()["resumed_from"]["step"], 0);
+    EXPECT_EQ(summary()["solver"]["newton_iterations"], iterations);
+    EXPECT_EQ(results(), expected) << method;
+    std::filesystem::remove_all(out());
+  }
+}
+
+TEST_F(Steps, ResumingWithoutTheEarlierFactorSaysSo) {
+  const auto scene = [](const char* end) {
+    return falling_bar + "[solver]\nmethod = \"cholesky_cg\"\n[dynamics]\n" +
+           "scheme = \"implicit_euler\"\nstep = 0.01\nend = " + end + "\n";
+  };
+  expect_run(scene("0.1"));
+  const double whole = summary()["probes"][1]["displacement"][2];
+  std::filesystem::remove_all(out());
+  expect_run(scene("0.05"));
+  expect_run(scene("0.1"), {"--resume"});
+  EXPECT_NE(summary()["warnings"].dump().find("cholesky_cg"), std::string::npos);
+  EXPECT_NEAR(summary()["probes"][1]["displacement"][2], whole, 1e-6 * std::abs(whole));
 }
 
 TEST_F(Steps, TwistNeedsAMoment) {

@@ -124,7 +124,38 @@ TEST_P(Method, GivesTheReactionToAPrescribedStretchByHand) {
   EXPECT_NEAR(probes[1]["displacement"][0], 0.2, 1e-15);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Method, testing::Values("cg", "cholesky"));
+INSTANTIATE_TEST_SUITE_P(All, Method, testing::Values("cg", "cholesky", "cholesky_cg"));
+
+struct PrecisionOfScene {
+  const char* precision;
+  double tolerance;
+  std::vector<std::string> scalars;  ///< of the groups
+};
+
+void PrintTo(const PrecisionOfScene& p, std::ostream* out) { *out << p.precision; }
+
+class ScenePrecision : public Run, public testing::WithParamInterface<PrecisionOfScene> {};
+
+TEST_P(ScenePrecision, GivesTheReactionToItsRounding) {
+  const std::string solver = fmt::format("[solver]\nprecision = \"{}\"\ntolerance = {}\n",
+                                         GetParam().precision, GetParam().tolerance);
+  const ProcessResult result = run_scene(write(pulled_bar + solver));
+  ASSERT_EQ(result.exit_status, 0) << result.output;
+  const nlohmann::json json = summary();
+  EXPECT_EQ(json["solver"]["precision"], GetParam().precision);
+  std::vector<std::string> scalars;
+  for (const auto& group : json["associations"]) scalars.push_back(group["scalar"]);
+  EXPECT_EQ(scalars, GetParam().scalars);
+  const double force = 1.1 * 1e6 * (1.1 * 1.1 - 1) / 2;
+  const double reached = json["probes"][1]["reaction"][0];
+  EXPECT_NEAR(reached, force, GetParam().tolerance * force);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ScenePrecision,
+                         testing::Values(PrecisionOfScene{"double", 1e-8, {"double"}},
+                                         PrecisionOfScene{"mixed", 1e-8, {"double", "float"}},
+                                         PrecisionOfScene{"single", 1e-4, {"float"}}),
+                         [](const auto& info) { return std::string(info.param.precision); });
 
 TEST_F(Run, KeepsWhatWasReachedWhenNewtonDoesNotConverge) {
   const ProcessResult result =
