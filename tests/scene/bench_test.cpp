@@ -42,7 +42,7 @@ TEST_F(WorkPrecision, MeasuresShowsAndGoesOn) {
     std::vector<std::string> fields;
     std::istringstream row(line);
     while (std::getline(row, field, ',')) fields.push_back(field);
-    errors[fields[0] + fields[2]].push_back(std::stod(fields[11]));
+    errors[fields[0] + fields[2]].push_back(std::stod(fields[12]));
   }
   EXPECT_EQ(errors.size(), 6u);
   for (const auto& [series, values] : errors) {
@@ -57,7 +57,8 @@ TEST_F(WorkPrecision, MeasuresShowsAndGoesOn) {
   // A point's scene is a scene.
   const ProcessResult again = bench(call);
   EXPECT_NE(again.output.find("0 points measured, 12 known"), std::string::npos) << again.output;
-  const auto scene = out() / "bench/scenes/sphere_hooke-hexa8-q8-none_4x4_cholesky_1e-08.toml";
+  const auto scene =
+      out() / "bench/scenes/sphere_hooke-hexa8-q8-none_4x4_cholesky_cg_double_1e-08.toml";
   EXPECT_EQ(run_scene(scene).exit_status, 0);
 }
 
