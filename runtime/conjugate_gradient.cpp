@@ -24,12 +24,12 @@ ConjugateGradient::ConjugateGradient(Model& model, const Constraints& constraint
 void ConjugateGradient::update() {
   const Stopwatch watch(times_.assembly);
   preconditioner_->update(added_diagonal_);
-  scale_ = shift_scale(preconditioner_->diagonal());
 }
 
 bool ConjugateGradient::set_shift(double shift) {
   const Stopwatch watch(times_.factorization);
   shift_ = shift;
+  if (shift > 0) scale_ = shift_scale(preconditioner_->diagonal());
   return preconditioner_->set_shift(shift);
 }
 

@@ -28,7 +28,7 @@ class ConjugateGradient final : public LinearSolver {
   int max_iterations_;
   std::unique_ptr<Preconditioner> preconditioner_;
   double shift_ = 0;
-  Vector scale_;  // D
+  Vector scale_;  // D, where there is a shift
   Vector residual_, preconditioned_, direction_, product_;
 };
 

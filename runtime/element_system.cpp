@@ -107,6 +107,18 @@ ElementStatus ElementSystem<Scalar>::add_nodal(const ElementPass<Scalar>& pass, 
   return merged_status();
 }
 
+// Calls `compute(thread)` for every share, in parallel; it returns the first bad element.
+template <class Scalar>
+template <class Compute>
+ElementStatus ElementSystem<Scalar>::for_each_share(Compute&& compute) {
+#pragma omp parallel for schedule(static, 1) num_threads(threads_)
+  for (int s = 0; s < threads_; ++s) {
+    const std::size_t thread = static_cast<std::size_t>(s);
+    statuses_[thread] = compute(thread);
+  }
+  return merged_status();
+}
+
 // Runs the energy kernel; `consume(thread, group, batch, energies)` takes each batch's result.
 template <class Scalar>
 template <class Consume>
@@ -115,15 +127,11 @@ ElementStatus ElementSystem<Scalar>::for_each_energy(const double* u, Consume&& 
   ElementPass<Scalar> pass;
   pass.kernel = &VariantTable<Scalar>::energy;
   pass.displacement = u;
-#pragma omp parallel for schedule(static, 1) num_threads(threads_)
-  for (int s = 0; s < threads_; ++s) {
-    const std::size_t thread = static_cast<std::size_t>(s);
-    statuses_[thread] =
-        run_pass(groups_, shares_[thread], pass, 0, workspaces_[thread],
-                 [&](auto, const ElementGroup<Scalar>& group, std::size_t batch,
-                     const Scalar* energies) { consume(thread, group, batch, energies); });
-  }
-  return merged_status();
+  return for_each_share([&](std::size_t thread) {
+    return run_pass(groups_, shares_[thread], pass, 0, workspaces_[thread],
+                    [&](auto, const ElementGroup<Scalar>& group, std::size_t batch,
+                        const Scalar* energies) { consume(thread, group, batch, energies); });
+  });
 }
 
 template <class Scalar>
@@ -166,9 +174,7 @@ ElementStatus ElementSystem<Scalar>::store_states(const double* u) {
   ElementPass<Scalar> pass;
   pass.kernel = &VariantTable<Scalar>::linearize;
   pass.displacement = u;
-#pragma omp parallel for schedule(static, 1) num_threads(threads_)
-  for (int s = 0; s < threads_; ++s) {
-    const std::size_t thread = static_cast<std::size_t>(s);
+  return for_each_share([&](std::size_t thread) {
     ElementStatus first;
     for (const BatchRange& range : shares_[thread].ranges) {
       ElementGroup<Scalar>& group = groups_[range.group];
@@ -180,9 +186,8 @@ ElementStatus ElementSystem<Scalar>::store_states(const double* u) {
         }
       });
     }
-    statuses_[thread] = first;
-  }
-  return merged_status();
+    return first;
+  });
 }
 
 template <class Scalar>

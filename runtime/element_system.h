@@ -63,6 +63,8 @@ class ElementSystem {
  private:
   void require(KernelFunction<Scalar> VariantTable<Scalar>::*kernel, const char* name) const;
   ElementStatus add_nodal(const ElementPass<Scalar>& pass, double* out);
+  template <class Compute>
+  ElementStatus for_each_share(Compute&& compute);
   template <class Consume>
   ElementStatus for_each_energy(const double* u, Consume&& consume);
   [[nodiscard]] ElementStatus merged_status() const;

@@ -1,8 +1,9 @@
 #include "runtime/elimination_order.h"
 
 #include <Eigen/OrderingMethods>
-#include <Eigen/SparseCholesky>
-#include <numeric>
+#include <algorithm>
+
+#include "runtime/cholesky_factor.h"
 
 namespace elastogen {
 namespace {
@@ -28,18 +29,12 @@ Matrix node_graph(const Matrix& stiffness, int dim) {
   return graph;
 }
 
-/// Squares of the lengths of the factor's columns, summed.
 double multiplications(const Matrix& graph, const Permutation& position) {
-  struct Factor : Eigen::SimplicialLLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> {
-    [[nodiscard]] double multiplications() const {
-      return m_nonZerosPerCol.cast<double>().squaredNorm();
-    }
-  };
   Matrix permuted(graph.rows(), graph.cols());
   permuted.selfadjointView<Eigen::Lower>() =
       graph.selfadjointView<Eigen::Lower>().twistedBy(position);
-  Factor factor;
-  factor.analyzePattern(permuted);
+  SimplicialCholesky factor;
+  factor.analyze(permuted);
   return factor.multiplications();
 }
 

@@ -77,7 +77,7 @@ class LinearSolver {
 
   /// Sets the shift s for the solves that follow.
   /// @return false if K + A + s D is seen not to be positive definite (a factorisation failed);
-  ///         always true for conjugate gradient, which sees it while solving
+  ///         conjugate gradient may see it only while solving, that on the nodes' blocks always
   [[nodiscard]] virtual bool set_shift(double shift) = 0;
 
   /// Solves for x, starting from 0, to |b - A x| <= tolerance * |b| (Cholesky: exactly).

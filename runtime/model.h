@@ -39,9 +39,9 @@ struct ModelPart {
 enum class Precision {
   double_precision,
   /// Energies and forces in double, what the tangent takes in single precision: Newton's method
-  /// comes to the same end, conjugate gradient's products take half the memory and lanes.
+  /// comes to the same end, conjugate gradient's products have twice the lanes.
   mixed,
-  single_precision,  ///< all: residuals cannot fall below about 1e-6 of the forces
+  single_precision,  ///< all: residuals cannot fall below about 1e-5 of the forces
 };
 
 /// "double", "mixed", "single"

@@ -16,9 +16,10 @@ struct WorkPrecisionPoint {
   std::string element;      ///< "hexa8"; CalculiX: "C3D20R"
   std::string quadrature;   ///< "q8"; CalculiX: ""
   std::string resolution;   ///< "48x8x8"
-  std::string solver;       ///< "cholesky", "cg", "cholesky_cg"; CalculiX: what it says; dynamics: the scheme
-  std::string precision;    ///< of the kernels: "double", "mixed", "single"; CalculiX: "double"
-  double tolerance = 0;     ///< Newton's relative residual
+  std::string
+      solver;  ///< "cholesky", "cg", "cholesky_cg"; CalculiX: what it says; dynamics: the scheme
+  std::string precision;  ///< of the kernels: "double", "mixed", "single"; CalculiX: "double"
+  double tolerance = 0;   ///< Newton's relative residual
   std::size_t num_elements = 0;
   std::size_t num_dofs = 0;
   double error = 0;  ///< relative error of the problem's quantity, dimensionless; see `failure`
