@@ -1,21 +1,31 @@
 #include "runtime/element_group.h"
 
+#include <algorithm>
+#include <numeric>
+
+#include "runtime/congruent_elements.h"
+
 namespace elastogen {
 namespace {
 
-// Position of each element of a group in its batches: full batches interleaved, the rest in order,
-// empty lanes repeat the last element.
+// Elements whose batches stand together: nodes that a batch's lanes share are still in cache.
+constexpr std::size_t block_size = 1024;
+
+// Position of each element of a group in its batches: full batches interleaved block by block, the
+// rest in order, empty lanes repeat the last element.
 std::vector<std::size_t> batch_order(std::size_t num_elements, std::size_t lanes) {
-  const std::size_t full = num_elements / lanes;
-  const std::size_t batches = (num_elements + lanes - 1) / lanes;
-  std::vector<std::size_t> order(batches * lanes);
-  for (std::size_t b = 0; b < full; ++b) {
-    for (std::size_t l = 0; l < lanes; ++l) order[b * lanes + l] = l * full + b;
+  std::vector<std::size_t> order;
+  for (std::size_t begin = 0; begin < num_elements; begin += block_size) {
+    interleave_lanes(std::min(block_size, num_elements - begin), lanes,
+                     [&](std::size_t k) { order.push_back(begin + k); });
   }
-  for (std::size_t k = full * lanes; k < order.size(); ++k) {
-    order[k] = k < num_elements ? k : num_elements - 1;
-  }
+  for (std::size_t k = order.size(); k < num_elements; ++k) order.push_back(k);
+  while (order.size() % lanes != 0) order.push_back(num_elements - 1);
   return order;
+}
+
+std::size_t num_shapes(const std::vector<std::int32_t>& shape) {
+  return static_cast<std::size_t>(*std::max_element(shape.begin(), shape.end())) + 1;
 }
 
 }  // namespace
@@ -24,20 +34,38 @@ template <class Scalar>
 std::size_t ElementGroup<Scalar>::bytes_per_element() const {
   const std::size_t vectors =
       kernels->reads_positions ? static_cast<std::size_t>(num_nodes * dim) : 0;
+  const std::size_t per_set = vectors + static_cast<std::size_t>(kernels->num_constants);
   const std::size_t stored_state = state.empty() ? 0 : static_cast<std::size_t>(kernels->num_state);
+  const std::size_t from_set =
+      shape.empty() ? per_set : num_sets * static_cast<std::size_t>(lanes) * per_set / num_elements;
   return static_cast<std::size_t>(num_nodes) * sizeof(std::int32_t) +
-         (vectors + static_cast<std::size_t>(kernels->num_constants) + stored_state) *
-             sizeof(Scalar);
+         (from_set + stored_state) * sizeof(Scalar);
 }
 
 template <class Scalar>
-KernelArguments<Scalar> ElementGroup<Scalar>::arguments(std::size_t batch) const {
+NodalPass<Scalar> ElementGroup<Scalar>::nodal_pass() const {
+  const std::size_t l = static_cast<std::size_t>(lanes);
+  NodalPass<Scalar> pass;
+  pass.arguments = arguments_of_set(0, 0);
+  pass.positions_stride = values_per_batch();
+  pass.constants_stride = static_cast<std::size_t>(kernels->num_constants) * l;
+  pass.state_stride = static_cast<std::size_t>(kernels->num_state) * l;
+  pass.shape = shape.empty() ? nullptr : shape.data();
+  pass.dofs = dofs.data();
+  pass.begin = 0;
+  pass.end = num_batches;
+  pass.num_elements = num_elements;
+  return pass;
+}
+
+template <class Scalar>
+KernelArguments<Scalar> ElementGroup<Scalar>::arguments_of_set(std::size_t set,
+                                                               std::size_t batch) const {
   const std::size_t l = static_cast<std::size_t>(lanes);
   KernelArguments<Scalar> result;
-  if (!positions.empty()) result.positions = positions.data() + batch * values_per_batch();
+  if (!positions.empty()) result.positions = positions.data() + set * values_per_batch();
   result.parameters = parameters.data();
-  result.constants =
-      constants.data() + batch * static_cast<std::size_t>(kernels->num_constants) * l;
+  result.constants = constants.data() + set * static_cast<std::size_t>(kernels->num_constants) * l;
   if (!state.empty()) {
     result.state = state.data() + batch * static_cast<std::size_t>(kernels->num_state) * l;
   }
@@ -63,43 +91,57 @@ ElementGroup<Scalar> make_element_group(const Mesh& mesh,
   const std::size_t lanes = static_cast<std::size_t>(group.lanes);
   const std::size_t nodes = static_cast<std::size_t>(group.num_nodes);
   const std::size_t dim = static_cast<std::size_t>(group.dim);
-  const std::vector<std::size_t> order = batch_order(group.num_elements, lanes);
+  std::vector<std::size_t> order(group.num_elements);
+  if (source.shape.empty()) {
+    order = batch_order(group.num_elements, lanes);
+  } else {
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    group.shape.assign(source.shape.begin(), source.shape.end());
+  }
   group.num_batches = order.size() / lanes;
+  group.num_sets = group.shape.empty() ? group.num_batches : num_shapes(group.shape);
   group.elements.resize(order.size());
   group.dofs.resize(order.size() * nodes);
-  group.positions.resize(order.size() * nodes * dim);
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const std::size_t batch = k / lanes;
-    const std::size_t lane = k % lanes;
-    const std::size_t e = static_cast<std::size_t>(source.elements[order[k]]);
-    group.elements[k] = static_cast<std::int32_t>(source.first_element + e);
-    const std::span<const std::int32_t> element_nodes = block.element_nodes(e);
-    for (std::size_t a = 0; a < nodes; ++a) {
-      const std::size_t own =
-          source.node_order.empty()
-              ? a
-              : static_cast<std::size_t>(source.node_order[order[k] * nodes + a]);
-      const std::int32_t dof = element_nodes[own] * group.dim;
-      group.dofs[(batch * nodes + a) * lanes + lane] = dof;
-      const auto first = static_cast<std::size_t>(group.dofs[batch * nodes * lanes + lane]);
-      for (std::size_t i = 0; i < dim; ++i) {
-        group.positions[((batch * nodes + a) * dim + i) * lanes + lane] = static_cast<Scalar>(
-            mesh.positions[static_cast<std::size_t>(dof) + i] - mesh.positions[first + i]);
+  group.positions.resize(group.num_sets * lanes * nodes * dim);
+  std::vector<bool> is_known(group.num_sets, false);
+  for (std::size_t batch = 0; batch < group.num_batches; ++batch) {
+    const std::size_t set =
+        group.shape.empty() ? batch : static_cast<std::size_t>(group.shape[batch]);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const std::size_t k = batch * lanes + lane;
+      const std::size_t e = static_cast<std::size_t>(source.elements[order[k]]);
+      group.elements[k] = static_cast<std::int32_t>(source.first_element + e);
+      const std::span<const std::int32_t> element_nodes = block.element_nodes(e);
+      // The lanes of a shared set are those of the first batch that has it.
+      for (std::size_t a = 0; a < nodes; ++a) {
+        const std::size_t own =
+            source.node_order.empty()
+                ? a
+                : static_cast<std::size_t>(source.node_order[order[k] * nodes + a]);
+        const std::int32_t dof = element_nodes[own] * group.dim;
+        group.dofs[(batch * nodes + a) * lanes + lane] = dof;
+        if (is_known[set]) continue;
+        const auto first = static_cast<std::size_t>(group.dofs[batch * nodes * lanes + lane]);
+        for (std::size_t i = 0; i < dim; ++i) {
+          group.positions[((set * nodes + a) * dim + i) * lanes + lane] = static_cast<Scalar>(
+              mesh.positions[static_cast<std::size_t>(dof) + i] - mesh.positions[first + i]);
+        }
       }
     }
+    is_known[set] = true;
   }
   return group;
 }
 
 template <class Scalar>
 void compute_constants(ElementGroup<Scalar>& group, int threads) {
-  const std::size_t per_batch = static_cast<std::size_t>(group.kernels->num_constants) *
-                                static_cast<std::size_t>(group.lanes);
-  group.constants.resize(group.num_batches * per_batch);
+  const std::size_t per_set = static_cast<std::size_t>(group.kernels->num_constants) *
+                              static_cast<std::size_t>(group.lanes);
+  group.constants.resize(group.num_sets * per_set);
 #pragma omp parallel for schedule(static) num_threads(threads)
-  for (std::size_t batch = 0; batch < group.num_batches; ++batch) {
-    KernelArguments<Scalar> arguments = group.arguments(batch);
-    arguments.output = group.constants.data() + batch * per_batch;
+  for (std::size_t set = 0; set < group.num_sets; ++set) {
+    KernelArguments<Scalar> arguments = group.arguments_of_set(set, 0);
+    arguments.output = group.constants.data() + set * per_set;
     group.kernels->constants(arguments);
   }
   if (!group.kernels->reads_positions) group.positions = {};

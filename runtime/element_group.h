@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 #include "runtime/aligned_vector.h"
@@ -12,6 +11,7 @@
 #include "runtime/error.h"
 #include "runtime/kernel_abi.h"
 #include "runtime/mesh.h"
+#include "runtime/nodal_pass.h"
 
 namespace elastogen {
 
@@ -20,14 +20,17 @@ namespace elastogen {
 /// Layout, with L = lanes, n = nodes of the element, d = dim:
 ///   elements   [batch * L + lane]                     element number in the mesh
 ///   dofs       [(batch * n + a) * L + lane]           d * node: first degree of freedom
-///   positions  [((batch * n + a) * d + i) * L + lane] of node a from node 0 of its element, which
+///   shape      [batch]                                set of positions and constants that all lanes
+///                                                     of the batch share (congruent_elements.h);
+///                                                     empty: every batch has a set of its own
+///   positions  [((set * n + a) * d + i) * L + lane]   of node a from node 0 of its element, which
 ///                                                     kernels cannot tell from the place itself;
 ///                                                     empty unless they read them
-///   constants  [(batch * num_constants + k) * L + lane]
+///   constants  [(set * num_constants + k) * L + lane]
 ///   state      [(batch * num_state + k) * L + lane]   empty unless the product is two-stage
-/// Full batches take lane l's elements from the l-th L-th of the group, so that the lanes of a
-/// batch share few nodes and a scatter seldom waits for the store before it. The last batch repeats
-/// its last element in the empty lanes.
+/// Full batches take lane l's elements from the l-th L-th of a block of elements, so that the lanes
+/// of a batch share few nodes and an addition seldom waits for the one before it. The last batch
+/// repeats its last element in the empty lanes.
 template <class Scalar>
 struct ElementGroup {
   std::size_t part = 0;
@@ -40,9 +43,11 @@ struct ElementGroup {
   double density = 0;
   std::size_t num_elements = 0;
   std::size_t num_batches = 0;
+  std::size_t num_sets = 0;  ///< of positions and constants
   AlignedVector<Scalar> parameters;
   std::vector<std::int32_t> elements;
-  std::vector<std::int32_t> dofs;
+  AlignedVector<std::int32_t> dofs;
+  std::vector<std::int32_t> shape;
   AlignedVector<Scalar> positions;
   AlignedVector<Scalar> constants;
   AlignedVector<Scalar> state;
@@ -59,7 +64,13 @@ struct ElementGroup {
   [[nodiscard]] std::size_t bytes_per_element() const;
 
   /// Arguments for a kernel on one batch: positions, parameters, constants, state.
-  [[nodiscard]] KernelArguments<Scalar> arguments(std::size_t batch) const;
+  [[nodiscard]] KernelArguments<Scalar> arguments(std::size_t batch) const {
+    return arguments_of_set(shape.empty() ? batch : static_cast<std::size_t>(shape[batch]), batch);
+  }
+  [[nodiscard]] KernelArguments<Scalar> arguments_of_set(std::size_t set, std::size_t batch) const;
+
+  /// What a pass over all its batches needs to know of the group.
+  [[nodiscard]] NodalPass<Scalar> nodal_pass() const;
 };
 
 /// Where a group's elements come from.
@@ -71,6 +82,9 @@ struct ElementGroupSource {
   std::span<const std::int32_t> elements;  ///< indices within the block
   /// [k * num_nodes + a]: which node of the k-th element stands at place a; empty: their own order.
   std::span<const int> node_order;
+  /// [batch]: the elements stand in the order of batches, all full and each of one rest shape.
+  /// Empty: they are put into batches.
+  std::span<const std::int32_t> shape;
   const KernelTable<Scalar>* table = nullptr;
   const VariantTable<Scalar>* kernels = nullptr;
   std::span<const double> parameters;
@@ -82,58 +96,31 @@ template <class Scalar>
 [[nodiscard]] ElementGroup<Scalar> make_element_group(const Mesh& mesh,
                                                       const ElementGroupSource<Scalar>& source);
 
-/// Computes the grouped constants of all batches; drops positions that no kernel reads later.
+/// Computes the grouped constants of all sets; drops positions that no kernel reads later.
 template <class Scalar>
 void compute_constants(ElementGroup<Scalar>& group, int threads);
 
-/// Layout known to the compiler, for tight loops between global vectors, always of doubles, and a
-/// batch's.
+/// Layout known to the compiler, for tight loops over a batch.
 template <class Scalar, int Dim, int Lanes>
 struct BatchLayout {
   static constexpr int dim = Dim;
   static constexpr int lanes = Lanes;
 
-  /// out[(a * Dim + i) * Lanes + l] = u[dofs[a * Lanes + l] + i]; in single precision less the
-  /// value of the element's node 0, so that its own motion is not lost in that of the body.
+  /// [(a * Dim + i) * Lanes + l], of global vectors as NodalPass has them.
   static void gather(const std::int32_t* dofs, int num_nodes, const double* u, Scalar* out) {
-    for (int a = 0; a < num_nodes; ++a) {
-      for (int l = 0; l < Lanes; ++l) {
-        const double* node = u + dofs[a * Lanes + l];
-        for (int i = 0; i < Dim; ++i) {
-          if constexpr (std::is_same_v<Scalar, double>) {
-            out[(a * Dim + i) * Lanes + l] = node[i];
-          } else {
-            out[(a * Dim + i) * Lanes + l] = static_cast<Scalar>(node[i] - u[dofs[l] + i]);
-          }
-        }
-      }
-    }
-  }
-
-  /// f[dofs[a * Lanes + l] - offset + i] += value[(a * Dim + i) * Lanes + l], used lanes only
-  static void scatter(const std::int32_t* dofs, int num_nodes, int used_lanes, const Scalar* value,
-                      std::int32_t offset, double* f) {
-    for (int a = 0; a < num_nodes; ++a) {
-      for (int l = 0; l < used_lanes; ++l) {
-        double* node = f + (dofs[a * Lanes + l] - offset);
-        for (int i = 0; i < Dim; ++i) node[i] += value[(a * Dim + i) * Lanes + l];
-      }
-    }
+    kernel::gather_numbers<Scalar, Dim, Lanes>(dofs, num_nodes, u, out);
   }
 };
 
 /// Calls `function(BatchLayout<Scalar, dim, lanes>{})` with the group's layout.
 /// Groups of another layout do not exist: Model refuses them.
-template <class Scalar, class Function>
+template <class Scalar, int lanes = most_lanes<Scalar>, class Function>
 void with_layout(const ElementGroup<Scalar>& group, Function&& function) {
-  constexpr int full = batch_lanes<Scalar>;
-  if (group.dim == 3) {
-    group.lanes == 1 ? function(BatchLayout<Scalar, 3, 1>{})
-                     : function(BatchLayout<Scalar, 3, full>{});
-  } else {
-    group.lanes == 1 ? function(BatchLayout<Scalar, 2, 1>{})
-                     : function(BatchLayout<Scalar, 2, full>{});
+  if constexpr (lanes > 1) {
+    if (group.lanes < lanes) return with_layout<Scalar, lanes / 2>(group, function);
   }
+  group.dim == 3 ? function(BatchLayout<Scalar, 3, lanes>{})
+                 : function(BatchLayout<Scalar, 2, lanes>{});
 }
 
 /// First bad element of one batch, given its lanes' status flags.

@@ -1,7 +1,6 @@
 // One kernel over the batches of one share: gather, compute, consume.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -29,10 +28,9 @@ struct ElementPass {
   KernelFunction<Scalar> VariantTable<Scalar>::*kernel = nullptr;
   const double* displacement = nullptr;  ///< global vector, null: not read
   const double* direction = nullptr;     ///< likewise
-  double scale = 1;
 };
 
-/// Calls the kernel on one batch; `output` must be as the kernel expects it.
+/// Calls the kernel on one batch.
 template <class Layout, class Scalar>
 [[nodiscard]] inline ElementStatus compute_batch(const ElementGroup<Scalar>& group,
                                                  std::size_t batch, const ElementPass<Scalar>& pass,
@@ -48,7 +46,6 @@ template <class Layout, class Scalar>
     Layout::gather(dofs, group.num_nodes, pass.direction, workspace.direction.data());
     arguments.direction = workspace.direction.data();
   }
-  arguments.scale = static_cast<Scalar>(pass.scale);
   arguments.output = output;
   alignas(kernel_alignment) std::uint32_t flags[Layout::lanes] = {};
   arguments.status = flags;
@@ -58,23 +55,19 @@ template <class Layout, class Scalar>
   return any == status_ok ? ElementStatus{} : batch_status(group, batch, flags);
 }
 
-/// Runs `pass` over a share whose kernels accumulate `values_per_node` numbers per node of the
-/// element (forces, product), or one number per element (0: energy). After each batch
-/// `consume(layout, group, batch, output)` is called with the batch's result.
+/// Runs `pass` over a share. After each batch `consume(layout, group, batch, output)` is called with
+/// the batch's result.
 template <class Scalar, class Consume>
 [[nodiscard]] ElementStatus run_pass(const std::vector<ElementGroup<Scalar>>& groups,
                                      const ThreadShare& share, const ElementPass<Scalar>& pass,
-                                     int values_per_node, Workspace<Scalar>& workspace,
-                                     Consume&& consume) {
+                                     Workspace<Scalar>& workspace, Consume&& consume) {
   ElementStatus status;
   for (const BatchRange& range : share.ranges) {
     const ElementGroup<Scalar>& group = groups[range.group];
-    const int values = values_per_node == 0 ? 1 : values_per_node * group.num_nodes;
     with_layout(group, [&](auto layout) {
       using Layout = decltype(layout);
       Scalar* output = workspace.output.data();
       for (std::size_t batch = range.begin; batch < range.end; ++batch) {
-        std::fill_n(output, values * Layout::lanes, Scalar(0));
         status.merge(compute_batch<Layout>(group, batch, pass, workspace, output));
         consume(layout, group, batch, static_cast<const Scalar*>(output));
       }

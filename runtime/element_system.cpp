@@ -38,6 +38,20 @@ void add_diagonal_blocks(const ElementGroup<Scalar>& group, std::size_t batch,
   }
 }
 
+// Goes through batches one by one after a pass over them found something bad.
+template <class Scalar>
+ElementStatus first_bad_element(const ElementGroup<Scalar>& group, const BatchRange& range,
+                                const ElementPass<Scalar>& pass, Workspace<Scalar>& workspace) {
+  ElementStatus first;
+  with_layout(group, [&](auto layout) {
+    for (std::size_t batch = range.begin; batch < range.end; ++batch) {
+      first.merge(compute_batch<decltype(layout)>(group, batch, pass, workspace,
+                                                  workspace.output.data()));
+    }
+  });
+  return first;
+}
+
 }  // namespace
 
 void CompensatedSum::add(double value) {
@@ -89,20 +103,29 @@ StiffnessAssembly<Scalar>& ElementSystem<Scalar>::stiffness_assembly() {
   return *assembly_;
 }
 
-// Runs a pass whose kernels give numbers per element node and sums them into `out`.
+// Runs a pass whose kernels give numbers per element node: out += scale * their sum.
 template <class Scalar>
-ElementStatus ElementSystem<Scalar>::add_nodal(const ElementPass<Scalar>& pass, double* out) {
+ElementStatus ElementSystem<Scalar>::add_nodal(const ElementPass<Scalar>& pass, double scale,
+                                               double* out) {
   accumulator_.run(shares_, dim_, out, [&](int s, std::int32_t node_begin, double* array) {
     const std::size_t thread = static_cast<std::size_t>(s);
-    const std::int32_t offset = node_begin * dim_;
-    statuses_[thread] =
-        run_pass(groups_, shares_[thread], pass, dim_, workspaces_[thread],
-                 [&](auto layout, const ElementGroup<Scalar>& group, std::size_t batch,
-                     const Scalar* value) {
-                   const auto per_batch = static_cast<std::size_t>(group.num_nodes * layout.lanes);
-                   layout.scatter(group.dofs.data() + batch * per_batch, group.num_nodes,
-                                  group.used_lanes(batch), value, offset, array);
-                 });
+    ElementStatus first;
+    for (const BatchRange& range : shares_[thread].ranges) {
+      const ElementGroup<Scalar>& group = groups_[range.group];
+      NodalPass<Scalar> nodal = group.nodal_pass();
+      nodal.kernel = group.kernels->*pass.kernel;
+      nodal.begin = range.begin;
+      nodal.end = range.end;
+      nodal.end_dof = static_cast<std::int32_t>(num_nodes_) * dim_;
+      nodal.displacement = pass.displacement;
+      nodal.direction = pass.direction;
+      nodal.scale = scale;
+      nodal.sum = array;
+      nodal.first_dof = node_begin * dim_;
+      if (group.table->nodal_pass(nodal) == status_ok) continue;
+      first.merge(first_bad_element(group, range, pass, workspaces_[thread]));
+    }
+    statuses_[thread] = first;
   });
   return merged_status();
 }
@@ -128,7 +151,7 @@ ElementStatus ElementSystem<Scalar>::for_each_energy(const double* u, Consume&& 
   pass.kernel = &VariantTable<Scalar>::energy;
   pass.displacement = u;
   return for_each_share([&](std::size_t thread) {
-    return run_pass(groups_, shares_[thread], pass, 0, workspaces_[thread],
+    return run_pass(groups_, shares_[thread], pass, workspaces_[thread],
                     [&](auto, const ElementGroup<Scalar>& group, std::size_t batch,
                         const Scalar* energies) { consume(thread, group, batch, energies); });
   });
@@ -166,7 +189,7 @@ ElementStatus ElementSystem<Scalar>::forces(const double* u, double* f) {
   ElementPass<Scalar> pass;
   pass.kernel = &VariantTable<Scalar>::forces;
   pass.displacement = u;
-  return add_nodal(pass, f);
+  return add_nodal(pass, 1, f);
 }
 
 template <class Scalar>
@@ -194,12 +217,12 @@ template <class Scalar>
 ElementStatus ElementSystem<Scalar>::product(const double* u, const double* v, double scale,
                                              double* df) {
   require(&VariantTable<Scalar>::product, "product");
-  return add_nodal({&VariantTable<Scalar>::product, u, v, scale}, df);
+  return add_nodal({&VariantTable<Scalar>::product, u, v}, scale, df);
 }
 
 template <class Scalar>
 ElementStatus ElementSystem<Scalar>::apply(const double* v, double scale, double* df) {
-  return add_nodal({&VariantTable<Scalar>::apply, nullptr, v, scale}, df);
+  return add_nodal({&VariantTable<Scalar>::apply, nullptr, v}, scale, df);
 }
 
 template <class Scalar>
@@ -219,8 +242,7 @@ ElementStatus ElementSystem<Scalar>::diagonal_blocks(const double* u, double* bl
   accumulator_.run(
       shares_, dim_ * dim_, blocks, [&](int s, std::int32_t node_begin, double* array) {
         const std::size_t thread = static_cast<std::size_t>(s);
-        // The kernels overwrite their matrices: nothing to clear beforehand (0 values per node).
-        statuses_[thread] = run_pass(groups_, shares_[thread], pass, 0, workspaces_[thread],
+        statuses_[thread] = run_pass(groups_, shares_[thread], pass, workspaces_[thread],
                                      [&](auto layout, const ElementGroup<Scalar>& group,
                                          std::size_t batch, const Scalar* matrices) {
                                        add_diagonal_blocks<decltype(layout)>(group, batch, matrices,

@@ -62,7 +62,7 @@ class ElementSystem {
 
  private:
   void require(KernelFunction<Scalar> VariantTable<Scalar>::*kernel, const char* name) const;
-  ElementStatus add_nodal(const ElementPass<Scalar>& pass, double* out);
+  ElementStatus add_nodal(const ElementPass<Scalar>& pass, double scale, double* out);
   template <class Compute>
   ElementStatus for_each_share(Compute&& compute);
   template <class Consume>

@@ -19,20 +19,20 @@
 // empty lanes; the caller drops their results.
 //
 // Signs: energy W; forces f = -dW/dU; stiffness K = d2W/dU2; product p = (df/dU) V = -K V.
-// Kernels accumulate (energy, forces: out += value; product, apply: out += scale * value), except
-// constants, geometry, state and stiffness, which are overwritten.
+// Kernels overwrite their output; who calls them adds it to what there is (NodalPass below).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace elastogen {
 
-inline constexpr std::uint32_t kernel_abi_version = 2;
+inline constexpr std::uint32_t kernel_abi_version = 3;
 
-/// Lanes of a SIMD batch: one 64-byte vector, 8 doubles or 16 floats. Tables of scalar kernels
-/// have 1 lane and the same layout.
+/// Most lanes that a batch may have: one 64-byte vector, 8 doubles or 16 floats. A table has as many
+/// as the vectors that its kernels were compiled for, a power of 2; 1 for scalar kernels.
 template <class Scalar>
-inline constexpr int batch_lanes = static_cast<int>(64 / sizeof(Scalar));
+inline constexpr int most_lanes = static_cast<int>(64 / sizeof(Scalar));
 
 /// Bits of the per-element status; 0 is a good result.
 enum KernelStatus : std::uint32_t {
@@ -59,12 +59,42 @@ struct KernelArguments {
   const Scalar* direction = nullptr;
   const Scalar* state = nullptr;
   Scalar* output = nullptr;
-  Scalar scale = Scalar(1);         ///< k of df += k * product; used by product and apply
   std::uint32_t* status = nullptr;  ///< [L], bits are or-ed in; null: not reported
 };
 
 template <class Scalar>
 using KernelFunction = void (*)(const KernelArguments<Scalar>&);
+
+/// A kernel of nodal outputs (forces, product, apply) over batches of one group, from global vectors
+/// into one. Global vectors are node-major and of doubles, whatever the kernel's precision:
+///   sum[dof - first_dof] += scale * output
+/// In single precision gathered values are those less the value of the element's node 0, so that
+/// its own motion is not lost in that of the body.
+template <class Scalar>
+struct NodalPass {
+  KernelFunction<Scalar> kernel = nullptr;
+  /// Parameters, and positions, constants, state of set 0 (null: not read); the rest is not used.
+  KernelArguments<Scalar> arguments;
+  std::size_t positions_stride = 0;     ///< numbers from one set to the next
+  std::size_t constants_stride = 0;     ///< likewise
+  std::size_t state_stride = 0;         ///< likewise, from batch to batch
+  const std::int32_t* shape = nullptr;  ///< [batch]: set of positions and constants; null: batch
+  const std::int32_t* dofs = nullptr;   ///< [(batch * n + a) * L + l], d * node
+  std::size_t begin = 0, end = 0;       ///< batches to compute
+  std::size_t num_elements = 0;         ///< of the group: lanes beyond them are not added
+  std::int32_t end_dof = 0;             ///< length of the global vectors
+  const double* displacement = nullptr;  ///< null: not read
+  const double* direction = nullptr;     ///< likewise
+  double scale = 1;
+  /// Nothing beyond the place of end_dof is touched; a `sum` that ends before it needs room for one
+  /// number behind its last node.
+  double* sum = nullptr;
+  std::int32_t first_dof = 0;
+};
+
+/// Computes a pass; returns the status bits of all its elements, or-ed together.
+template <class Scalar>
+using NodalPassFunction = std::uint32_t (*)(const NodalPass<Scalar>&);
 
 /// The kernels of one geometry variant ("general", "affine", "box") of an association.
 template <class Scalar>
@@ -87,7 +117,7 @@ struct VariantTable {
 template <class Scalar>
 struct KernelTable {
   std::uint32_t abi_version;
-  std::int32_t lanes;       ///< 1 or batch_lanes<Scalar>
+  std::int32_t lanes;       ///< 1, 2, 4 ... most_lanes<Scalar>
   const char* association;  ///< "stvk-hexa8-q8-none"
   const char* element;      ///< "hexa8"
   const char* hash;         ///< content hash of the generated source
@@ -96,6 +126,7 @@ struct KernelTable {
   std::int32_t num_points;
   std::int32_t num_parameters;
   const char* const* parameter_names;
+  NodalPassFunction<Scalar> nodal_pass;
   std::int32_t num_variants;  ///< the first is always "general"
   const VariantTable<Scalar>* variants;
 };

@@ -10,41 +10,56 @@
 #include <cstdint>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace elastogen::kernel {
 
-/// A pack: one 64-byte vector of batch_lanes<Scalar> elements (GNU vector extension; compilers
-/// split it where the machine's vectors are shorter).
-using DoublePack __attribute__((vector_size(64))) = double;
-using FloatPack __attribute__((vector_size(64))) = float;
+/// A vector of numbers, one per element of a batch (GNU vector extension).
+template <class S, int lanes>
+struct pack_of {
+  using type __attribute__((vector_size(lanes * sizeof(S)))) = S;
+};
+template <class S, int lanes>
+using Pack = typename pack_of<S, lanes>::type;
+
+/// Packs as wide as the vectors of the machine that is compiled for: compilers keep wider ones in
+/// memory.
+#if defined(__AVX512F__)
+inline constexpr int vector_bytes = 64;
+#elif defined(__AVX__)
+inline constexpr int vector_bytes = 32;
+#else
+inline constexpr int vector_bytes = 16;
+#endif
+using DoublePack = Pack<double, vector_bytes / 8>;
+using FloatPack = Pack<float, vector_bytes / 4>;
 
 /// Scalar type of a scalar or of a pack, and the integers of its size.
 template <class V>
-struct pack_traits;
+struct pack_traits {
+  using scalar = std::remove_cvref_t<decltype(std::declval<V>()[0])>;
+  static constexpr int lanes = static_cast<int>(sizeof(V) / sizeof(scalar));
+  using integer =
+      Pack<std::conditional_t<sizeof(scalar) == 8, std::int64_t, std::int32_t>, lanes>;
+};
 template <>
 struct pack_traits<double> {
   using scalar = double;
   using integer = std::int64_t;
+  static constexpr int lanes = 1;
 };
 template <>
 struct pack_traits<float> {
   using scalar = float;
   using integer = std::int32_t;
-};
-template <>
-struct pack_traits<DoublePack> {
-  using scalar = double;
-  using integer __attribute__((vector_size(64))) = std::int64_t;
-};
-template <>
-struct pack_traits<FloatPack> {
-  using scalar = float;
-  using integer __attribute__((vector_size(64))) = std::int32_t;
+  static constexpr int lanes = 1;
 };
 template <class V>
 using Scalar = typename pack_traits<V>::scalar;
 template <class V>
 using Integer = typename pack_traits<V>::integer;
+template <class V>
+inline constexpr int lanes_of = pack_traits<V>::lanes;
 
 namespace functions {
 

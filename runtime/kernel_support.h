@@ -8,11 +8,9 @@
 
 #include "runtime/kernel_abi.h"
 #include "runtime/kernel_functions.h"
+#include "runtime/nodal_pass.h"
 
 namespace elastogen::kernel {
-
-template <class V>
-inline constexpr int lanes_of = static_cast<int>(sizeof(V) / sizeof(Scalar<V>));
 
 /// Inputs of a kernel as packs; see KernelArguments.
 template <class V>
@@ -54,31 +52,33 @@ inline void keep_smaller(V& margin, const V& x) {
   margin = x < margin ? x : margin;
 }
 
-template <class V>
-inline Scalar<V> lane(const V& x, [[maybe_unused]] int l) {
-  if constexpr (std::is_floating_point_v<V>) {
-    return x;
-  } else {
-    return x[l];
-  }
-}
-
 /// Or-s the status bits of every lane: `margin` must be positive, `residue` zero.
 template <class V>
 inline void report_status(const V& margin, const V& residue, std::uint32_t* status) {
-  for (int l = 0; l < lanes_of<V>; ++l) {
-    if (!(lane(margin, l) > Scalar<V>(0))) status[l] |= status_outside_domain;
-    if (!(lane(residue, l) == Scalar<V>(0))) status[l] |= status_not_finite;
+  if constexpr (std::is_floating_point_v<V>) {
+    if (!(margin > V(0))) *status |= status_outside_domain;
+    if (!(residue == V(0))) *status |= status_not_finite;
+  } else {
+    using I = Integer<V>;
+    const I outside = I{} + Integer<Scalar<V>>(status_outside_domain);
+    const I not_finite = I{} + Integer<Scalar<V>>(status_not_finite);
+    const I flags = (margin > Scalar<V>(0) ? I{} : outside) |
+                    (residue == Scalar<V>(0) ? I{} : not_finite);
+    for (int l = 0; l < lanes_of<V>; ++l) status[l] |= static_cast<std::uint32_t>(flags[l]);
   }
 }
 
-/// How a kernel's results reach KernelArguments::output.
-enum class Write { overwrite, accumulate, accumulate_scaled };
+/// Sums outputs times zero: zero unless one is infinite or not a number, found without branches. In
+/// four sums, as each addition waits for the one before it.
+template <class V>
+struct Residue {
+  void add(int k, const V& output) { parts[k % 4] += output * Scalar<V>(0); }
+  [[nodiscard]] V sum() const { return (parts[0] + parts[1]) + (parts[2] + parts[3]); }
+  V parts[4] = {};
+};
 
 /// A kernel of the ABI from a kernel template: `compute(in, out, margin)` fills num_outputs packs.
-/// An output times zero is zero unless it is infinite or not a number: so the status is found
-/// without branches.
-template <class V, int num_outputs, Write write, class Compute>
+template <class V, int num_outputs, class Compute>
 inline void run(const KernelArguments<Scalar<V>>& arguments, const Compute& compute) {
   const auto packs = [](const Scalar<V>* data) { return reinterpret_cast<const V*>(data); };
   const Inputs<V> in{packs(arguments.positions), arguments.parameters,
@@ -86,23 +86,21 @@ inline void run(const KernelArguments<Scalar<V>>& arguments, const Compute& comp
                      packs(arguments.direction), packs(arguments.state)};
   V* const output = reinterpret_cast<V*>(arguments.output);
   V margin = V{} + Scalar<V>(1);
-  V residue = V{};
-  if constexpr (write == Write::overwrite) {
+  Residue<V> residue;
+  // Few results stay in registers, which no input can alias.
+  constexpr int most_in_registers = 64;
+  if constexpr (num_outputs > most_in_registers) {
     compute(in, output, margin);
-    for (int k = 0; k < num_outputs; ++k) residue += output[k] * Scalar<V>(0);
-  } else {
+    for (int k = 0; k < num_outputs; ++k) residue.add(k, output[k]);
+  } else if constexpr (num_outputs > 0) {
     V result[num_outputs];
     compute(in, result, margin);
     for (int k = 0; k < num_outputs; ++k) {
-      residue += result[k] * Scalar<V>(0);
-      if constexpr (write == Write::accumulate_scaled) {
-        output[k] += arguments.scale * result[k];
-      } else {
-        output[k] += result[k];
-      }
+      residue.add(k, result[k]);
+      output[k] = result[k];
     }
   }
-  if (arguments.status != nullptr) report_status(margin, residue, arguments.status);
+  if (arguments.status != nullptr) report_status(margin, residue.sum(), arguments.status);
 }
 
 }  // namespace elastogen::kernel

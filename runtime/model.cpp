@@ -50,6 +50,7 @@ GroupSummary summary_of(const ElementGroup<Scalar>& group) {
   s.lanes = group.lanes;
   s.num_constants = group.kernels->num_constants;
   s.num_state = group.state.empty() ? 0 : group.kernels->num_state;
+  s.num_shapes = group.shape.empty() ? group.num_elements : group.num_sets;
   s.bytes_per_element = group.bytes_per_element();
   return s;
 }
@@ -134,7 +135,7 @@ Model::Model(const Mesh& mesh, std::span<const ModelPart> parts, const ModelOpti
   d.threads = options.threads;
   const bool mixed = options.precision == Precision::mixed;
   check_parts(mesh, parts, options);
-  std::vector<ElementGroup<double>> groups = make_element_groups<double>(mesh, parts);
+  std::vector<ElementGroup<double>> groups = make_element_groups<double>(mesh, parts, options.share_constants);
   d.dim = mesh.dim;
   d.num_nodes = mesh.num_nodes();
   d.num_elements = mesh.num_elements();
@@ -150,7 +151,7 @@ Model::Model(const Mesh& mesh, std::span<const ModelPart> parts, const ModelOpti
     d.make_system(d.in_double, std::move(groups), !mixed);
   }
   if (options.precision != Precision::double_precision) {
-    d.make_system(d.in_single, make_element_groups<float>(mesh, parts), true);
+    d.make_system(d.in_single, make_element_groups<float>(mesh, parts, options.share_constants), true);
   }
   d.displacement = Vector::Zero(static_cast<Eigen::Index>(d.num_dofs()));
   if (options.tangent_product != TangentProduct::recompute) linearize(Vector(d.displacement));

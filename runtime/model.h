@@ -51,9 +51,14 @@ struct ModelOptions {
   int threads = 0;  ///< OpenMP threads; 0: as many as OpenMP offers and the elements' work pays for
   TangentProduct tangent_product = TangentProduct::recompute;
   Precision precision = Precision::double_precision;
+  /// Elements that are translations of each other, to 1e-12 of their size, share one set of grouped
+  /// constants where most elements do: less memory to read, and results that differ by about as
+  /// much.
+  bool share_constants = true;
 };
 
-/// Elements that are computed by the same kernels: one part and one geometry variant.
+/// Elements that are computed by the same kernels: one part and one geometry variant, those that
+/// share their constants apart from those that do not.
 struct GroupSummary {
   std::string association;  ///< "stvk-hexa8-q8-none"
   std::string element;      ///< "hexa8"
@@ -62,6 +67,7 @@ struct GroupSummary {
   std::size_t part = 0;     ///< index into the model's parts
   std::size_t num_elements = 0;
   std::size_t num_batches = 0;
+  std::size_t num_shapes = 0;  ///< sets of grouped constants: fewer than elements where they share
   int lanes = 1;
   int num_constants = 0;  ///< grouped constants per element
   int num_state = 0;      ///< state numbers per element, 0 unless the product is two-stage

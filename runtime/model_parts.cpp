@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "runtime/congruent_elements.h"
 #include "runtime/error.h"
 #include "runtime/rest_geometry.h"
 
@@ -67,8 +69,9 @@ void check_table(const KernelTable<Scalar>& table, bool two_stage) {
     fail(fmt::format("made for ABI version {}, this runtime has {}; generate them again",
                      table.abi_version, kernel_abi_version));
   }
-  if (table.lanes != 1 && table.lanes != batch_lanes<Scalar>) {
-    fail(fmt::format("{} lanes; must be 1 or {}", table.lanes, batch_lanes<Scalar>));
+  if (table.lanes < 1 || table.lanes > most_lanes<Scalar> ||
+      !std::has_single_bit(static_cast<unsigned>(table.lanes))) {
+    fail(fmt::format("{} lanes; must be a power of 2 up to {}", table.lanes, most_lanes<Scalar>));
   }
   if (find_variant(table, "general") == nullptr) fail("no variant 'general'");
   for (std::int32_t v = 0; v < table.num_variants; ++v) {
@@ -181,6 +184,72 @@ std::vector<VariantElements<Scalar>> special_variants(const KernelTable<Scalar>&
   return variants;
 }
 
+/// The elements at some places of the list.
+template <class Scalar>
+VariantElements<Scalar> pick(const VariantElements<Scalar>& from,
+                             const std::vector<std::size_t>& places) {
+  VariantElements<Scalar> result{from.kernels, {}, {}};
+  const std::size_t n = from.node_order.size() / from.elements.size();
+  for (const std::size_t place : places) {
+    result.elements.push_back(from.elements[place]);
+    const auto order = from.node_order.begin() + static_cast<std::ptrdiff_t>(place * n);
+    result.node_order.insert(result.node_order.end(), order, order + static_cast<std::ptrdiff_t>(n));
+  }
+  return result;
+}
+
+/// [element * n * dim + a * dim + i]: positions of nodes from node 0, in the variant's order.
+template <class Scalar>
+std::vector<double> relative_positions(const Mesh& mesh, const ElementBlock& block,
+                                       const VariantElements<Scalar>& variant) {
+  const std::size_t dim = static_cast<std::size_t>(mesh.dim);
+  const std::size_t n = static_cast<std::size_t>(block.nodes_per_element);
+  std::vector<double> positions;
+  positions.reserve(variant.elements.size() * n * dim);
+  for (std::size_t k = 0; k < variant.elements.size(); ++k) {
+    const std::span<const std::int32_t> nodes =
+        block.element_nodes(static_cast<std::size_t>(variant.elements[k]));
+    const auto position = [&](std::size_t a) {
+      const std::size_t own =
+          variant.node_order.empty() ? a : static_cast<std::size_t>(variant.node_order[k * n + a]);
+      return &mesh.positions[static_cast<std::size_t>(nodes[own]) * dim];
+    };
+    const double* const first = position(0);
+    for (std::size_t a = 0; a < n; ++a) {
+      for (std::size_t i = 0; i < dim; ++i) positions.push_back(position(a)[i] - first[i]);
+    }
+  }
+  return positions;
+}
+
+/// Adds the group of a variant's elements, or those of the congruent ones and of the others.
+template <class Scalar>
+void add_groups(const Mesh& mesh, const VariantElements<Scalar>& variant,
+                ElementGroupSource<Scalar> source, bool share_constants,
+                std::vector<ElementGroup<Scalar>>& groups) {
+  const auto add = [&](const VariantElements<Scalar>& elements,
+                       std::span<const std::int32_t> shape) {
+    source.elements = elements.elements;
+    source.node_order = elements.node_order;
+    source.shape = shape;
+    groups.push_back(make_element_group(mesh, source));
+  };
+  CongruentElements congruent;
+  if (share_constants) {
+    const ElementBlock& block = mesh.blocks[source.block];
+    congruent = find_congruent_elements(
+        relative_positions(mesh, block, variant),
+        static_cast<std::size_t>(block.nodes_per_element * mesh.dim),
+        static_cast<std::size_t>(source.table->lanes));
+  }
+  if (congruent.order.empty()) {
+    add(variant, {});
+    return;
+  }
+  add(pick(variant, congruent.order), congruent.shape);
+  if (!congruent.others.empty()) add(pick(variant, congruent.others), {});
+}
+
 template <class Scalar>
 const KernelTable<Scalar>& kernels_of(const ModelPart& part) {
   if constexpr (std::is_same_v<Scalar, double>) {
@@ -208,7 +277,8 @@ void check_parts(const Mesh& mesh, std::span<const ModelPart> parts, const Model
 
 template <class Scalar>
 std::vector<ElementGroup<Scalar>> make_element_groups(const Mesh& mesh,
-                                                      std::span<const ModelPart> parts) {
+                                                      std::span<const ModelPart> parts,
+                                                      bool share_constants) {
   std::vector<std::size_t> first_element(mesh.blocks.size(), 0);
   for (std::size_t b = 1; b < mesh.blocks.size(); ++b) {
     first_element[b] = first_element[b - 1] + mesh.blocks[b - 1].num_elements();
@@ -240,18 +310,16 @@ std::vector<ElementGroup<Scalar>> make_element_groups(const Mesh& mesh,
     source.density = part.density;
     for (const VariantElements<Scalar>& variant : variants) {
       if (variant.elements.empty()) continue;
-      source.elements = variant.elements;
-      source.node_order = variant.node_order;
       source.kernels = variant.kernels;
-      groups.push_back(make_element_group(mesh, source));
+      add_groups(mesh, variant, source, share_constants, groups);
     }
   }
   return groups;
 }
 
 template std::vector<ElementGroup<double>> make_element_groups(const Mesh&,
-                                                               std::span<const ModelPart>);
+                                                               std::span<const ModelPart>, bool);
 template std::vector<ElementGroup<float>> make_element_groups(const Mesh&,
-                                                              std::span<const ModelPart>);
+                                                              std::span<const ModelPart>, bool);
 
 }  // namespace elastogen

@@ -14,9 +14,11 @@ namespace elastogen {
 void check_parts(const Mesh& mesh, std::span<const ModelPart> parts, const ModelOptions& options);
 
 /// Batches the elements of parts that were checked: one group per part and geometry variant that
-/// occurs. Positions are filled, constants are left empty.
+/// occurs, and of these one for the elements that share their rest shapes with many others.
+/// Positions are filled, constants are left empty.
+/// @param share_constants  whether congruent elements are looked for
 template <class Scalar>
 [[nodiscard]] std::vector<ElementGroup<Scalar>> make_element_groups(
-    const Mesh& mesh, std::span<const ModelPart> parts);
+    const Mesh& mesh, std::span<const ModelPart> parts, bool share_constants);
 
 }  // namespace elastogen

@@ -96,7 +96,7 @@ struct GeneratedAssociation {
 /// Which compiled tables a registration source instantiates.
 struct Instantiation {
   bool single_precision = false;  ///< float instead of double
-  bool simd = true;               ///< packs of batch_lanes elements; else one element at a time
+  bool simd = true;               ///< packs of elements; else one element at a time
   /// Operations beside constants and geometry: subset of {"energy", "forces", "product",
   /// "linearize", "apply", "stiffness"}; the others' table entries are null.
   std::vector<std::string> operations;

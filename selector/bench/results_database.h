@@ -9,18 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "selector/bench/bench_run.h"
 #include "selector/bench/work_precision_point.h"
 
 namespace elastogen::selector {
-
-/// One start of the benchmark: when, on what, by what.
-struct BenchRun {
-  std::string started;    ///< UTC, "2024-05-17T09:30:00Z"
-  std::string processor;  ///< model of the CPU
-  int cores = 0;          ///< that the measured processes could use
-  std::string compiler;   ///< of the kernels, with its version and flags
-  std::string version;    ///< of elastogen, with what tells builds apart
-};
 
 /// What makes a point the same as one measured before.
 struct PointKey {

@@ -1,11 +1,8 @@
 #include "selector/bench/work_precision.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <fstream>
 #include <map>
 #include <set>
 #include <tuple>
@@ -17,7 +14,6 @@
 #include "selector/bench/scene_process.h"
 #include "selector/bench/thesis_beams.h"
 #include "selector/bench/work_precision_report.h"
-#include "selector/jit/compiler.h"
 #include "selector/support/files.h"
 #include "selector/support/names.h"
 #include "selector/support/process.h"
@@ -29,25 +25,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double calculix_tolerance = 1e-6;  // largest residual over the mean force
-
-std::string processor_name() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    const std::size_t colon = line.find(": ");
-    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
-  }
-  return "unknown processor";
-}
-
-BenchRun this_run(const WorkPrecisionOptions& options) {
-  const Compiler compiler = find_compiler();
-  const std::string version = compiler.version.substr(0, compiler.version.find('\n'));
-  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-  return {
-      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(now))),
-      processor_name(), options.threads,
-      fmt::format("{} {}", version, fmt::join(compiler.flags, " ")), ELASTOGEN_VERSION};
-}
 
 std::string file_name(const std::string& problem, const WorkPrecisionChoice& choice) {
   return fmt::format("{}_{}_{}_{}_{}_{:g}", problem, choice.association.text(), choice.resolution(),
@@ -126,7 +103,7 @@ class Benchmark {
       : options_(options),
         problems_(problems),
         database_(options.out / "work_precision.sqlite"),
-        run_(this_run(options)) {
+        run_(start_bench_run(options.threads)) {
     database_.begin_run(run_);
   }
 

@@ -15,34 +15,6 @@ namespace {
 
 using Points = std::vector<WorkPrecisionPoint>;
 
-constexpr const char* style = R"(
-body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; color: #22262b; background: #fff;
-       max-width: 1320px; margin: 2rem auto; padding: 0 1rem; }
-p, ul { max-width: 900px; }
-h1 { font-size: 1.7rem; margin-bottom: .2rem; }
-h2 { font-size: 1.3rem; margin-top: 2.6rem; border-bottom: 1px solid #dcdfe4;
-     padding-bottom: .2rem; }
-h3 { font-size: 1.05rem; margin-top: 1.8rem; }
-.machine, .quantity, figcaption { color: #5b6169; font-size: 13px; }
-svg.chart { width: 100%; height: auto; display: block; margin: 1rem 0; }
-svg .mark:hover { stroke: #111; stroke-width: 2; opacity: 1; }
-.wide { overflow-x: auto; }
-.pair { display: flex; flex-wrap: wrap; gap: .5rem; }
-.pair svg.chart { flex: 1 1 480px; }
-th.group { text-align: center; }
-table { border-collapse: collapse; font-size: 12.5px; margin: .8rem 0;
-        font-variant-numeric: tabular-nums; }
-th, td { padding: .25rem .55rem; text-align: right; border-bottom: 1px solid #e9ebee;
-         white-space: nowrap; }
-th { color: #5b6169; font-weight: 600; vertical-align: bottom; }
-td:first-child, th:first-child, td.text, th.text { text-align: left; }
-tr.ours { background: #f3f8ff; }
-.bar { display: flex; width: 120px; height: 10px; background: #eef0f3; }
-.bar span { height: 100%; }
-.key span { display: inline-block; width: 10px; height: 10px; margin: 0 .3rem 0 .9rem; }
-details { font-size: 13px; color: #5b6169; }
-)";
-
 struct Phase {
   const char* name;
   const char* colour;
@@ -159,15 +131,13 @@ std::string work_precision_html(const Points& points, const std::vector<ProblemT
       "<meta name=viewport content=\"width=device-width\">\n"
       "<title>Time against error</title>\n<style>{}</style></head>\n<body>\n"
       "<h1>Time against error</h1>\n"
-      "<p class=machine>{} · {} · {} {} · {} · {}</p>\n"
+      "{}"
       "<p>Each point is one process, from its start to its end; times are medians of its runs. "
       "Colour tells the element, shape the law; hollow points are CalculiX’s. Large points are "
       "the best of their element and law, the dark line is the Pareto front: no other point of "
       "elastogen has both less time and less error. A point under the mouse shows its "
       "figures.</p>\n",
-      style, html_text(run.started), html_text(run.processor), run.cores,
-      run.cores == 1 ? "core" : "cores", html_text("elastogen " + run.version),
-      html_text(run.compiler));
+      bench_page_style(), bench_run_html(run));
   for (const ProblemText& problem : problems) {
     Points its_points;
     std::copy_if(points.begin(), points.end(), std::back_inserter(its_points),

@@ -6,6 +6,7 @@
 
 #include "runtime/error.h"
 #include "selector/bench/work_precision.h"
+#include "selector/commands/bench_speed.h"
 #include "selector/scene/interrupt.h"
 
 namespace elastogen::selector {
@@ -31,6 +32,7 @@ int run_bench(WorkPrecisionOptions options, const Context& context) {
 void add_bench_command(CLI::App& app, Context& context) {
   CLI::App* bench = app.add_subcommand("bench", "How fast, and how accurate, on this machine");
   bench->require_subcommand(1);
+  add_speed_benchmarks(*bench, context);
 
   const auto options = std::make_shared<WorkPrecisionOptions>();
   options->out = "out/work_precision";

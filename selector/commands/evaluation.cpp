@@ -39,7 +39,7 @@ class Batch {
     variant.constants(arguments(constants_.data()));
   }
 
-  /// Calls a kernel with `count` outputs per element, zero before.
+  /// Calls a kernel with `count` outputs per element.
   [[nodiscard]] std::vector<double> call(KernelFunction<Scalar> kernel, std::size_t count) {
     AlignedVector<Scalar> output(count * lanes_, Scalar(0));
     kernel(arguments(output.data()));

@@ -1,6 +1,5 @@
 #include "selector/jit/kernel_loader.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -58,30 +57,25 @@ void write_sources(const KernelRequest& request, const symgen::GeneratedAssociat
   }
 }
 
-/// A library could not be loaded or is not what its name says.
-class BadLibrary : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 template <class Scalar>
 void check_table(const KernelTable<Scalar>& table, const KernelRequest& request,
                  const std::string& hash) {
-  const int lanes = request.what.simd ? batch_lanes<Scalar> : 1;
   const auto expect = [](bool good, const std::string& what) {
     if (!good) throw BadLibrary("its table has another " + what);
   };
   expect(table.abi_version == kernel_abi_version, "version of the kernel interface");
   expect(table.association == request.id.text(), "association");
   expect(table.hash == hash, "content hash");
-  expect(table.lanes == lanes, "number of lanes");
+  expect((table.lanes > 1) == request.what.simd, "number of lanes");
   expect(table.num_parameters == static_cast<int>(request.law.parameters.size()),
          "number of parameters");
 }
 
 template <class Scalar>
-const void* fetch_table(void* symbol, const KernelRequest& request, const std::string& hash) {
-  const auto function = reinterpret_cast<const KernelTable<Scalar>* (*)()>(symbol);
+const void* fetch_table(const SharedLibrary& library, const KernelRequest& request,
+                        const std::string& hash) {
+  const auto function = library.function<const KernelTable<Scalar>* (*)()>(
+      symgen::registration_symbol(request.id, request.what));
   const KernelTable<Scalar>* table = function();
   check_table(*table, request, hash);
   return table;
@@ -158,15 +152,10 @@ KernelLoader::Job KernelLoader::describe(const KernelRequest& request,
 
 void KernelLoader::open(Job& job, const fs::path& library) {
   const KernelRequest& request = *job.request;
-  void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (handle == nullptr) throw BadLibrary(dlerror());
-  job.result.library_ = std::shared_ptr<void>(handle, [](void* h) { dlclose(h); });
-  const std::string name = symgen::registration_symbol(request.id, request.what);
-  void* symbol = dlsym(handle, name.c_str());
-  if (symbol == nullptr) throw BadLibrary("it does not export '" + name + "'");
+  job.result.library_ = SharedLibrary(library);
   job.result.table_ = request.what.single_precision
-                          ? fetch_table<float>(symbol, request, job.hash)
-                          : fetch_table<double>(symbol, request, job.hash);
+                          ? fetch_table<float>(job.result.library_, request, job.hash)
+                          : fetch_table<double>(job.result.library_, request, job.hash);
 }
 
 bool KernelLoader::take_from_cache(Job& job) const {

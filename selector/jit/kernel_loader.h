@@ -3,13 +3,13 @@
 
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <semaphore>
 #include <string>
 #include <vector>
 
 #include "runtime/kernel_abi.h"
 #include "selector/jit/compiler.h"
+#include "selector/jit/shared_library.h"
 #include "symgen/law/law.h"
 #include "symgen/pipeline.h"
 
@@ -55,7 +55,7 @@ class LoadedKernels {
 
  private:
   friend class KernelLoader;
-  std::shared_ptr<void> library_;  ///< of dlopen, closed with the last copy
+  SharedLibrary library_;  ///< closed with the last copy
   const void* table_ = nullptr;
   bool single_precision_ = false;
   KernelBuildReport report_;

@@ -133,12 +133,70 @@ ElementBlock cut_layers(const BarDescription& bar, const BarGrid& grid, const st
   return block;
 }
 
-/// Turns the sections of quadratic elements into such, and numbers all nodes plane by plane again.
-void make_quadratic(const BarDescription& bar, Mesh& mesh) {
+/// Whether the middle of an element's nodes lies in the box.
+bool is_inside(const Mesh& mesh, std::span<const std::int32_t> nodes,
+               const InclusionDescription& inclusion) {
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  for (std::size_t i = 0; i < dim; ++i) {
+    double middle = 0;
+    for (const std::int32_t node : nodes) {
+      middle += mesh.positions[static_cast<std::size_t>(node) * dim + i];
+    }
+    middle /= static_cast<double>(nodes.size());
+    if (middle < inclusion.box.minimum[i] || middle > inclusion.box.maximum[i]) return false;
+  }
+  return true;
+}
+
+/// Moves the elements of an inclusion from the blocks that there are to blocks of their own.
+/// @throws InputError  when there are none
+void take_out(const InclusionDescription& inclusion, SceneMesh& result) {
+  Mesh& mesh = result.mesh;
+  const std::int32_t region = region_number(mesh, inclusion.region);
+  const std::size_t num_blocks = mesh.blocks.size();
+  for (std::size_t b = 0; b < num_blocks; ++b) {
+    ElementBlock outside = mesh.blocks[b], inside = mesh.blocks[b];
+    for (ElementBlock* part : {&outside, &inside}) {
+      part->nodes.clear();
+      part->region.clear();
+    }
+    for (std::size_t e = 0; e < mesh.blocks[b].num_elements(); ++e) {
+      const std::span<const std::int32_t> nodes = mesh.blocks[b].element_nodes(e);
+      const bool is_in = is_inside(mesh, nodes, inclusion);
+      ElementBlock& part = is_in ? inside : outside;
+      part.nodes.insert(part.nodes.end(), nodes.begin(), nodes.end());
+      part.region.push_back(is_in ? region : mesh.blocks[b].region[e]);
+    }
+    if (inside.num_elements() == 0) continue;
+    SceneMesh::Block description = result.blocks[b];
+    description.path = inclusion.path;
+    description.region = inclusion.region;
+    description.region_where = inclusion.region_where;
+    if (outside.num_elements() == 0) {
+      mesh.blocks[b] = std::move(inside);
+      result.blocks[b] = std::move(description);
+    } else {
+      mesh.blocks[b] = std::move(outside);
+      mesh.blocks.push_back(std::move(inside));
+      result.blocks.push_back(std::move(description));
+    }
+  }
+  const bool is_empty = std::none_of(
+      result.blocks.begin(), result.blocks.end(),
+      [&](const SceneMesh::Block& block) { return block.path == inclusion.path; });
+  if (is_empty) {
+    throw InputError(fmt::format(
+        "{}: {}.box holds no element: take one that the middle of an element lies in",
+        inclusion.box.where, inclusion.path));
+  }
+}
+
+/// Turns the blocks of quadratic elements into such, and numbers all nodes plane by plane again.
+void make_quadratic(const std::vector<SceneMesh::Block>& blocks, Mesh& mesh) {
   std::vector<QuadraticBlock> quadratic;
-  for (std::size_t s = 0; s < bar.sections.size(); ++s) {
-    const std::string& element = bar.sections[s].association.element;
-    if (element_topology(element).is_quadratic()) quadratic.push_back({s, element});
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const std::string& element = blocks[b].association.element;
+    if (element_topology(element).is_quadratic()) quadratic.push_back({b, element});
   }
   if (quadratic.empty()) return;
   add_mid_edge_nodes(mesh, quadratic);
@@ -227,7 +285,8 @@ SceneMesh make_bar(const BarDescription& bar) {
                              section.region, section.region_where});
     first = ends[s];
   }
-  make_quadratic(bar, result.mesh);
+  for (const InclusionDescription& inclusion : bar.inclusions) take_out(inclusion, result);
+  make_quadratic(result.blocks, result.mesh);
   set_sections(bar, result);
   const FaceMatching matching = match_faces(result.mesh);
   result.split_quadrilaterals = matching.split_quadrilaterals.size();

@@ -70,8 +70,18 @@ std::vector<SectionDescription> read_sections(const TomlTable& bar, int dim) {
   return sections;
 }
 
+InclusionDescription read_inclusion(const TomlTable& table, int dim) {
+  table.allow_only({"box", "region"});
+  InclusionDescription inclusion;
+  inclusion.path = table.path();
+  inclusion.box = read_box(table.table("box"), dim);
+  inclusion.region = table.string("region");
+  inclusion.region_where = table.where("region");
+  return inclusion;
+}
+
 BarDescription read_bar(const TomlTable& table, int dim) {
-  table.allow_only({"length", "width", "height", "cells", "section"});
+  table.allow_only({"length", "width", "height", "cells", "section", "inclusion"});
   BarDescription bar;
   const double length = table.number("length", positive_number);
   const double height = table.number("height", positive_number);
@@ -84,6 +94,9 @@ BarDescription read_bar(const TomlTable& table, int dim) {
   std::copy(cells.begin(), cells.end(), bar.cells.begin());
   bar.cells_where = table.where("cells");
   bar.sections = read_sections(table, dim);
+  for (const TomlTable& inclusion : table.tables("inclusion")) {
+    bar.inclusions.push_back(read_inclusion(inclusion, dim));
+  }
   return bar;
 }
 

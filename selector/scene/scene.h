@@ -28,6 +28,14 @@ struct SectionDescription {
   std::string region_where;
 };
 
+/// A box within a bar whose elements are of a region of their own.
+struct InclusionDescription {
+  std::string path;   ///< "bar.inclusion[0]"
+  NodeSelection box;  ///< of the middles of its elements
+  std::string region;
+  std::string region_where;
+};
+
 /// A bar [0, length] x [0, width] x [0, height], divided into a grid of cells that every section
 /// cuts into its elements (thesis, section 5.3 and codes 19 and 23). A bar without width is plane:
 /// [0, length] x [0, height].
@@ -36,6 +44,7 @@ struct BarDescription {
   std::array<int, 3> cells{};    ///< along x, y, z; 0 along z in the plane
   std::string cells_where;
   std::vector<SectionDescription> sections;
+  std::vector<InclusionDescription> inclusions;  ///< later ones prevail
 };
 
 /// The part x, y, z >= 0 of a thick sphere about the origin, cut into elements of one kind.

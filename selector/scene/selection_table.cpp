@@ -23,6 +23,19 @@ NodeSelection read_plane(const TomlTable& plane, int dim) {
   return nodes;
 }
 
+}  // namespace
+
+std::vector<std::string> axes_of(int dim) {
+  std::vector<std::string> axes = {"x", "y", "z"};
+  axes.resize(static_cast<std::size_t>(dim));
+  return axes;
+}
+
+std::size_t axis_number(const std::string& axis, int dim) {
+  const std::vector<std::string> axes = axes_of(dim);
+  return static_cast<std::size_t>(std::find(axes.begin(), axes.end(), axis) - axes.begin());
+}
+
 NodeSelection read_box(const TomlTable& box, int dim) {
   box.allow_only({"min", "max"});
   NodeSelection nodes{box.where(), "", box.vector("min", dim), box.vector("max", dim)};
@@ -41,19 +54,6 @@ NodeSelection read_box(const TomlTable& box, int dim) {
     nodes.maximum[2] = no_limit;
   }
   return nodes;
-}
-
-}  // namespace
-
-std::vector<std::string> axes_of(int dim) {
-  std::vector<std::string> axes = {"x", "y", "z"};
-  axes.resize(static_cast<std::size_t>(dim));
-  return axes;
-}
-
-std::size_t axis_number(const std::string& axis, int dim) {
-  const std::vector<std::string> axes = axes_of(dim);
-  return static_cast<std::size_t>(std::find(axes.begin(), axes.end(), axis) - axes.begin());
 }
 
 NodeSelection read_selection(const TomlTable& table, int dim) {

@@ -25,6 +25,10 @@ struct NodeSelection {
 /// `axes_of(dim).size()` for what is no axis.
 [[nodiscard]] std::size_t axis_number(const std::string& axis, int dim);
 
+/// Reads the corners `min` and `max` of a box.
+/// @throws InputError  with file, line, what was found and what is allowed
+[[nodiscard]] NodeSelection read_box(const TomlTable& box, int dim);
+
 /// Reads `plane`, `box` or `boundary`, exactly one of which the table must have.
 /// @throws InputError  with file, line, what was found and what is allowed
 [[nodiscard]] NodeSelection read_selection(const TomlTable& table, int dim);

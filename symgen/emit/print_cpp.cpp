@@ -162,18 +162,18 @@ std::string print_cpp_registration(const AssociationId& id,
                                    const std::vector<std::string>& geometries,
                                    const Instantiation& what) {
   struct Entry {
-    const char *name, *num_outputs, *write;
+    const char *name, *num_outputs;
     bool always;
   };
   static const std::vector<Entry> entries = {
-      {"constants", "kernels::{}::num_constants", "overwrite", true},
-      {"geometry", "2 * kernels::num_nodes + kernels::num_points", "overwrite", true},
-      {"energy", "1", "accumulate", false},
-      {"forces", "num_dofs", "accumulate", false},
-      {"product", "num_dofs", "accumulate_scaled", false},
-      {"linearize", "kernels::{}::num_state", "overwrite", false},
-      {"apply", "num_dofs", "accumulate_scaled", false},
-      {"stiffness", "num_dofs * num_dofs", "overwrite", false},
+      {"constants", "kernels::{}::num_constants", true},
+      {"geometry", "2 * kernels::num_nodes + kernels::num_points", true},
+      {"energy", "1", false},
+      {"forces", "num_dofs", false},
+      {"product", "num_dofs", false},
+      {"linearize", "kernels::{}::num_state", false},
+      {"apply", "num_dofs", false},
+      {"stiffness", "num_dofs * num_dofs", false},
   };
   for (const std::string& name : what.operations) {
     if (std::none_of(entries.begin(), entries.end(),
@@ -197,7 +197,6 @@ std::string print_cpp_registration(const AssociationId& id,
   out.line(fmt::format("using V = {};", !what.simd              ? "S"
                                         : what.single_precision ? "elastogen::kernel::FloatPack"
                                                                 : "elastogen::kernel::DoublePack"));
-  out.line("using elastogen::kernel::Write;");
   out.line("using Arguments = elastogen::KernelArguments<S>;");
   out.line("[[maybe_unused]] constexpr int num_dofs = kernels::num_nodes * kernels::dim;");
   out.line();
@@ -216,7 +215,7 @@ std::string print_cpp_registration(const AssociationId& id,
       const std::string num_outputs = fmt::format(fmt::runtime(entry.num_outputs), geometry);
       out.line(fmt::format("void {}_{}(const Arguments& arguments) {{", geometry, entry.name));
       out.indent();
-      out.line(fmt::format("elastogen::kernel::run<V, {}, Write::{}>(", num_outputs, entry.write));
+      out.line(fmt::format("elastogen::kernel::run<V, {}>(", num_outputs));
       out.indent();
       out.indent();
       out.line("arguments, [](const auto& in, V* out, V& margin) {");
@@ -241,7 +240,9 @@ std::string print_cpp_registration(const AssociationId& id,
       fmt::format("constexpr elastogen::KernelTable<S> table = {{elastogen::kernel_abi_version, "
                   "elastogen::kernel::lanes_of<V>, \"{}\", \"{}\", kernels::hash, "
                   "kernels::dim, kernels::num_nodes, kernels::num_points, {}, "
-                  "parameter_names, {}, variants}};",
+                  "parameter_names, "
+                  "elastogen::kernel::nodal_pass<V, kernels::num_nodes, kernels::dim>, "
+                  "{}, variants}};",
                   id.text(), id.element, parameter_names.size(), geometries.size()));
   out.line();
   out.line("}  // namespace");

@@ -74,7 +74,7 @@ double worst_error(FunctionOf<V> function, Exact exact, double low, double high)
 
 template <class V>
 class Functions : public testing::Test {};
-using Packs = testing::Types<double, float, DoublePack, FloatPack>;
+using Packs = testing::Types<double, float, Pack<double, 4>, Pack<double, 8>, Pack<float, 16>>;
 TYPED_TEST_SUITE(Functions, Packs);
 
 TYPED_TEST(Functions, StayWithinTheirBounds) {

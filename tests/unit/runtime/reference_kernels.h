@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "runtime/kernel_abi.h"
+#include "runtime/nodal_pass.h"
 
 namespace elastogen::test {
 
@@ -130,6 +131,10 @@ struct ReferenceKernels {
     if ((Matrix3::Identity() + h).determinant() <= 0) args.status[lane] |= status_outside_domain;
   }
 
+  static void clear(double* output, int lane, int values) {
+    for (int k = 0; k < values; ++k) output[k * Lanes + lane] = 0;
+  }
+
   static void add_nodal(double* output, int lane, double scale, const Nodes3& value) {
     for (int a = 0; a < n; ++a) {
       for (int i = 0; i < 3; ++i) output[(3 * a + i) * Lanes + lane] += scale * value(i, a);
@@ -169,6 +174,7 @@ struct ReferenceKernels {
 
   static void energy(const Arguments& args) {
     for (int lane = 0; lane < Lanes; ++lane) {
+      args.output[lane] = 0;
       const Nodes3 u = load(args.displacement, lane);
       for (int q = 0; q < points; ++q) {
         const Point p = point(args, q, lane);
@@ -184,6 +190,7 @@ struct ReferenceKernels {
 
   static void forces(const Arguments& args) {
     for (int lane = 0; lane < Lanes; ++lane) {
+      clear(args.output, lane, 3 * n);
       const Nodes3 u = load(args.displacement, lane);
       for (int q = 0; q < points; ++q) {
         const Point p = point(args, q, lane);
@@ -197,13 +204,14 @@ struct ReferenceKernels {
 
   static void product(const Arguments& args) {
     for (int lane = 0; lane < Lanes; ++lane) {
+      clear(args.output, lane, 3 * n);
       const Nodes3 u = load(args.displacement, lane);
       const Nodes3 v = load(args.direction, lane);
       for (int q = 0; q < points; ++q) {
         const Point p = point(args, q, lane);
         const Matrix3 h = u * p.gradients.transpose();
         const Matrix3 dp = stress_change(args, h, v * p.gradients.transpose());
-        add_nodal(args.output, lane, -args.scale * p.weight, dp * p.gradients);
+        add_nodal(args.output, lane, -p.weight, dp * p.gradients);
         report(args, lane, dp.sum(), h);
       }
     }
@@ -223,13 +231,14 @@ struct ReferenceKernels {
 
   static void apply(const Arguments& args) {
     for (int lane = 0; lane < Lanes; ++lane) {
+      clear(args.output, lane, 3 * n);
       const Nodes3 v = load(args.direction, lane);
       for (int q = 0; q < points; ++q) {
         const Point p = point(args, q, lane);
         Matrix3 h;
         for (int k = 0; k < 9; ++k) h.data()[k] = args.state[(9 * q + k) * Lanes + lane];
         const Matrix3 dp = stress_change(args, h, v * p.gradients.transpose());
-        add_nodal(args.output, lane, -args.scale * p.weight, dp * p.gradients);
+        add_nodal(args.output, lane, -p.weight, dp * p.gradients);
         report(args, lane, dp.sum(), h);
       }
     }
@@ -239,7 +248,7 @@ struct ReferenceKernels {
     constexpr int size = 3 * n;
     for (int lane = 0; lane < Lanes; ++lane) {
       const Nodes3 u = load(args.displacement, lane);
-      for (int k = 0; k < size * size; ++k) args.output[k * Lanes + lane] = 0;
+      clear(args.output, lane, size * size);
       for (int q = 0; q < points; ++q) {
         const Point p = point(args, q, lane);
         const Matrix3 h = u * p.gradients.transpose();
@@ -276,6 +285,7 @@ struct ReferenceKernels {
             points,
             2,
             parameter_names,
+            &kernel::nodal_pass<std::conditional_t<Lanes == 1, double, kernel::Pack<double, Lanes>>, n, 3>,
             with_box ? 2 : 1,
             variants};
   }

@@ -1,0 +1,283 @@
+// A kernel's way between global vectors and the packs of a batch: gather, compute, add. Compiled
+// with the kernels, for their instruction set; the runtime itself uses gather_numbers alone.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+#include "runtime/kernel_abi.h"
+#include "runtime/kernel_functions.h"
+
+namespace elastogen::kernel {
+
+/// Four doubles: a node and what is behind it.
+using Quad = Pack<double, 4>;
+/// x, y, z of several nodes, one per lane.
+template <int lanes>
+struct Triple {
+  Pack<double, lanes> x, y, z;
+};
+
+/// Loads nodes of 3 doubles, each with the double behind it.
+/// @param dofs  of the nodes
+template <int lanes>
+Triple<lanes> load_nodes(const std::int32_t* dofs, const double* u);
+/// sum[dof + i] += scale * value of each lane, one lane after the other: lanes may share nodes. The
+/// double behind each node is read and written, as it was.
+template <int lanes>
+void add_to_nodes(const std::int32_t* dofs, const Triple<lanes>& value, double scale, double* sum);
+
+inline Quad load_quad(const double* node) {
+  Quad value;
+  std::memcpy(&value, node, sizeof value);
+  return value;
+}
+/// Adds the first three. Not all four at once: the next node's load would wait until the store of
+/// what is behind this one has reached the cache.
+inline void add_quad(const Quad& value, double scale, double* node) {
+  Pack<double, 2> xy;
+  std::memcpy(&xy, node, sizeof xy);
+  xy += scale * __builtin_shufflevector(value, value, 0, 1);
+  std::memcpy(node, &xy, sizeof xy);
+  node[2] += scale * value[2];
+}
+
+template <>
+inline Triple<4> load_nodes<4>(const std::int32_t* dofs, const double* u) {
+  const Quad a = load_quad(u + dofs[0]), b = load_quad(u + dofs[1]);
+  const Quad c = load_quad(u + dofs[2]), d = load_quad(u + dofs[3]);
+  const Quad ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);  // x x z z
+  const Quad cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+  const Quad ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);  // y y, what is behind
+  const Quad cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  return {__builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5),
+          __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5),
+          __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7)};
+}
+
+template <>
+inline void add_to_nodes<4>(const std::int32_t* dofs, const Triple<4>& value, double scale,
+                            double* sum) {
+  const Quad none{};
+  const Quad xy_even = __builtin_shufflevector(value.x, value.y, 0, 4, 2, 6);
+  const Quad xy_odd = __builtin_shufflevector(value.x, value.y, 1, 5, 3, 7);
+  const Quad z_even = __builtin_shufflevector(value.z, none, 0, 4, 2, 6);
+  const Quad z_odd = __builtin_shufflevector(value.z, none, 1, 5, 3, 7);
+  add_quad(__builtin_shufflevector(xy_even, z_even, 0, 1, 4, 5), scale, sum + dofs[0]);
+  add_quad(__builtin_shufflevector(xy_odd, z_odd, 0, 1, 4, 5), scale, sum + dofs[1]);
+  add_quad(__builtin_shufflevector(xy_even, z_even, 2, 3, 6, 7), scale, sum + dofs[2]);
+  add_quad(__builtin_shufflevector(xy_odd, z_odd, 2, 3, 6, 7), scale, sum + dofs[3]);
+}
+
+template <>
+inline Triple<8> load_nodes<8>(const std::int32_t* dofs, const double* u) {
+  Pack<double, 8> pair[4];  // of lanes k and k + 4
+  for (int k = 0; k < 4; ++k) {
+    pair[k] = __builtin_shufflevector(load_quad(u + dofs[k]), load_quad(u + dofs[k + 4]), 0, 1, 2,
+                                      3, 4, 5, 6, 7);
+  }
+  const auto even01 = __builtin_shufflevector(pair[0], pair[1], 0, 8, 2, 10, 4, 12, 6, 14);
+  const auto even23 = __builtin_shufflevector(pair[2], pair[3], 0, 8, 2, 10, 4, 12, 6, 14);
+  const auto odd01 = __builtin_shufflevector(pair[0], pair[1], 1, 9, 3, 11, 5, 13, 7, 15);
+  const auto odd23 = __builtin_shufflevector(pair[2], pair[3], 1, 9, 3, 11, 5, 13, 7, 15);
+  return {__builtin_shufflevector(even01, even23, 0, 1, 8, 9, 4, 5, 12, 13),
+          __builtin_shufflevector(odd01, odd23, 0, 1, 8, 9, 4, 5, 12, 13),
+          __builtin_shufflevector(even01, even23, 2, 3, 10, 11, 6, 7, 14, 15)};
+}
+
+template <>
+inline void add_to_nodes<8>(const std::int32_t* dofs, const Triple<8>& value, double scale,
+                            double* sum) {
+  const Pack<double, 8> none{};
+  const auto even_xy = __builtin_shufflevector(value.x, value.y, 0, 8, 2, 10, 4, 12, 6, 14);
+  const auto odd_xy = __builtin_shufflevector(value.x, value.y, 1, 9, 3, 11, 5, 13, 7, 15);
+  const auto even_z = __builtin_shufflevector(value.z, none, 0, 8, 2, 10, 4, 12, 6, 14);
+  const auto odd_z = __builtin_shufflevector(value.z, none, 1, 9, 3, 11, 5, 13, 7, 15);
+  const Pack<double, 8> pair[4] = {
+      __builtin_shufflevector(even_xy, even_z, 0, 1, 8, 9, 4, 5, 12, 13),
+      __builtin_shufflevector(odd_xy, odd_z, 0, 1, 8, 9, 4, 5, 12, 13),
+      __builtin_shufflevector(even_xy, even_z, 2, 3, 10, 11, 6, 7, 14, 15),
+      __builtin_shufflevector(odd_xy, odd_z, 2, 3, 10, 11, 6, 7, 14, 15)};
+  for (int k = 0; k < 4; ++k) {
+    add_quad(__builtin_shufflevector(pair[k], pair[k], 0, 1, 2, 3), scale, sum + dofs[k]);
+    add_quad(__builtin_shufflevector(pair[k], pair[k], 4, 5, 6, 7), scale, sum + dofs[k + 4]);
+  }
+}
+
+/// Doubles as floats and back.
+inline Pack<float, 8> to_floats(const Pack<double, 4>& low, const Pack<double, 4>& high) {
+  return __builtin_shufflevector(__builtin_convertvector(low, Pack<float, 4>),
+                                 __builtin_convertvector(high, Pack<float, 4>), 0, 1, 2, 3, 4, 5, 6,
+                                 7);
+}
+inline Pack<float, 16> to_floats(const Pack<double, 8>& low, const Pack<double, 8>& high) {
+  return __builtin_shufflevector(__builtin_convertvector(low, Pack<float, 8>),
+                                 __builtin_convertvector(high, Pack<float, 8>), 0, 1, 2, 3, 4, 5, 6,
+                                 7, 8, 9, 10, 11, 12, 13, 14, 15);
+}
+inline Pack<double, 4> low_doubles(const Pack<float, 8>& v) {
+  return __builtin_convertvector(__builtin_shufflevector(v, v, 0, 1, 2, 3), Quad);
+}
+inline Pack<double, 4> high_doubles(const Pack<float, 8>& v) {
+  return __builtin_convertvector(__builtin_shufflevector(v, v, 4, 5, 6, 7), Quad);
+}
+inline Pack<double, 8> low_doubles(const Pack<float, 16>& v) {
+  const auto half = __builtin_shufflevector(v, v, 0, 1, 2, 3, 4, 5, 6, 7);
+  return __builtin_convertvector(half, Pack<double, 8>);
+}
+inline Pack<double, 8> high_doubles(const Pack<float, 16>& v) {
+  const auto half = __builtin_shufflevector(v, v, 8, 9, 10, 11, 12, 13, 14, 15);
+  return __builtin_convertvector(half, Pack<double, 8>);
+}
+
+/// out[(a * dim + i) * lanes + l] = u[dofs[a * lanes + l] + i], in single precision less that of
+/// node 0, number by number.
+template <class S, int dim, int lanes>
+inline void gather_numbers(const std::int32_t* dofs, int num_nodes, const double* u, S* out) {
+  for (int a = 0; a < num_nodes; ++a) {
+    for (int l = 0; l < lanes; ++l) {
+      for (int i = 0; i < dim; ++i) {
+        double value = u[dofs[a * lanes + l] + i];
+        if constexpr (std::is_same_v<S, float>) value -= u[dofs[l] + i];
+        out[(a * dim + i) * lanes + l] = static_cast<S>(value);
+      }
+    }
+  }
+}
+
+/// The same by vectors; reads the double behind each node.
+template <int num_nodes, class V>
+inline void gather_packs(const std::int32_t* dofs, const double* u, V* out) {
+  constexpr int lanes = lanes_of<V>;
+  if constexpr (std::is_same_v<Scalar<V>, double>) {
+    for (int a = 0; a < num_nodes; ++a) {
+      const Triple<lanes> node = load_nodes<lanes>(dofs + lanes * a, u);
+      out[3 * a] = node.x;
+      out[3 * a + 1] = node.y;
+      out[3 * a + 2] = node.z;
+    }
+  } else {
+    constexpr int half = lanes / 2;
+    const Triple<half> low0 = load_nodes<half>(dofs, u), high0 = load_nodes<half>(dofs + half, u);
+    for (int i = 0; i < 3; ++i) out[i] = V{};
+    for (int a = 1; a < num_nodes; ++a) {
+      const Triple<half> low = load_nodes<half>(dofs + lanes * a, u);
+      const Triple<half> high = load_nodes<half>(dofs + lanes * a + half, u);
+      out[3 * a] = to_floats(low.x - low0.x, high.x - high0.x);
+      out[3 * a + 1] = to_floats(low.y - low0.y, high.y - high0.y);
+      out[3 * a + 2] = to_floats(low.z - low0.z, high.z - high0.z);
+    }
+  }
+}
+
+/// sum[dofs[a * lanes + l] + i] += scale * value[(a * dim + i) * lanes + l], number by number.
+template <class S, int dim, int lanes>
+inline void add_numbers(const std::int32_t* dofs, int num_nodes, int used_lanes, const S* value,
+                        double scale, double* sum) {
+  for (int a = 0; a < num_nodes; ++a) {
+    for (int l = 0; l < used_lanes; ++l) {
+      double* const node = sum + dofs[a * lanes + l];
+      for (int i = 0; i < dim; ++i) {
+        node[i] += scale * static_cast<double>(value[(a * dim + i) * lanes + l]);
+      }
+    }
+  }
+}
+
+/// The same by vectors, of all lanes.
+template <int num_nodes, class V>
+inline void add_packs(const std::int32_t* dofs, const V* value, double scale, double* sum) {
+  constexpr int lanes = lanes_of<V>;
+  for (int a = 0; a < num_nodes; ++a) {
+    const V* const v = value + 3 * a;
+    const std::int32_t* const node = dofs + lanes * a;
+    if constexpr (std::is_same_v<Scalar<V>, double>) {
+      add_to_nodes<lanes>(node, {v[0], v[1], v[2]}, scale, sum);
+    } else {
+      constexpr int half = lanes / 2;
+      add_to_nodes<half>(node, {low_doubles(v[0]), low_doubles(v[1]), low_doubles(v[2])}, scale,
+                         sum);
+      add_to_nodes<half>(node + half, {high_doubles(v[0]), high_doubles(v[1]), high_doubles(v[2])},
+                         scale, sum);
+    }
+  }
+}
+
+/// Asks for numbers that are needed soon. A kernel reads its constants here and there, between long
+/// computations and the places of its own spilled values: no processor foresees that.
+template <class S>
+inline void prefetch(const S* data, std::size_t count) {
+  constexpr std::size_t line = 64 / sizeof(S);
+  for (std::size_t k = 0; k < count; k += line) __builtin_prefetch(data + k);
+}
+
+/// NodalPassFunction of kernels with V as pack (or scalar, for one lane).
+template <class V, int num_nodes, int dim>
+std::uint32_t nodal_pass(const NodalPass<Scalar<V>>& pass) {
+  using S = Scalar<V>;
+  constexpr int lanes = lanes_of<V>;
+  constexpr int num_dofs = num_nodes * dim;
+  constexpr bool by_vectors = dim == 3 && lanes >= (std::is_same_v<S, double> ? 4 : 8);
+  V displacement[num_dofs], direction[num_dofs], output[num_dofs];
+  alignas(64) std::uint32_t flags[lanes] = {};
+  KernelArguments<S> arguments;
+  arguments.parameters = pass.arguments.parameters;
+  arguments.displacement = reinterpret_cast<S*>(displacement);
+  arguments.direction = reinterpret_cast<S*>(direction);
+  arguments.output = reinterpret_cast<S*>(output);
+  arguments.status = flags;
+  double* const sum = pass.sum - pass.first_dof;
+  constexpr std::size_t bytes_ahead = 2048;
+  const std::size_t ahead = 1 + bytes_ahead / (sizeof(S) * (1 + pass.constants_stride));
+  for (std::size_t batch = pass.begin; batch < pass.end; ++batch) {
+    const std::size_t set =
+        pass.shape != nullptr ? static_cast<std::size_t>(pass.shape[batch]) : batch;
+    const auto at = [](const S* data, std::size_t offset) {
+      return data != nullptr ? data + offset : nullptr;
+    };
+    arguments.positions = at(pass.arguments.positions, set * pass.positions_stride);
+    arguments.constants = at(pass.arguments.constants, set * pass.constants_stride);
+    arguments.state = at(pass.arguments.state, batch * pass.state_stride);
+    if (pass.shape == nullptr && batch + ahead < pass.end) {
+      const auto fetch = [&](const S* data, std::size_t stride) {
+        if (data != nullptr) prefetch(data + (batch + ahead) * stride, stride);
+      };
+      fetch(pass.arguments.positions, pass.positions_stride);
+      fetch(pass.arguments.constants, pass.constants_stride);
+      fetch(pass.arguments.state, pass.state_stride);
+    }
+    const std::int32_t* const dofs =
+        pass.dofs + batch * static_cast<std::size_t>(num_nodes * lanes);
+    // Vectors reach one number behind a node: not where that is the vectors' end.
+    std::int32_t last = 0;
+    for (int k = 0; k < num_nodes * lanes; ++k) last = dofs[k] > last ? dofs[k] : last;
+    const bool is_inside = last + dim < pass.end_dof;
+    const auto gather = [&](const double* from, V* to) {
+      if (from == nullptr) return;
+      if constexpr (by_vectors) {
+        if (is_inside) return gather_packs<num_nodes>(dofs, from, to);
+      }
+      gather_numbers<S, dim, lanes>(dofs, num_nodes, from, reinterpret_cast<S*>(to));
+    };
+    gather(pass.displacement, displacement);
+    gather(pass.direction, direction);
+    pass.kernel(arguments);
+    const std::size_t left = pass.num_elements - batch * static_cast<std::size_t>(lanes);
+    if constexpr (by_vectors) {
+      if (is_inside && left >= static_cast<std::size_t>(lanes)) {
+        add_packs<num_nodes>(dofs, output, pass.scale, sum);
+        continue;
+      }
+    }
+    const int used = left < static_cast<std::size_t>(lanes) ? static_cast<int>(left) : lanes;
+    add_numbers<S, dim, lanes>(dofs, num_nodes, used, reinterpret_cast<const S*>(output),
+                               pass.scale, sum);
+  }
+  std::uint32_t all = status_ok;
+  for (const std::uint32_t flag : flags) all |= flag;
+  return all;
+}
+
+}  // namespace elastogen::kernel
