@@ -9,7 +9,7 @@
 // quadrature   q8
 // split        none
 // profile      x86-cache
-// hash         c88d7ddd0c8b69104a63558cf8a2db03
+// hash         b8d1a7f06c8e890347146c8d7429df24
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
 // general  constants             534         80      0         192      640          1
@@ -34,7 +34,7 @@
 
 namespace elastogen::kernels::hooke_hexa8_q8_none {
 
-inline constexpr char hash[] = "c88d7ddd0c8b69104a63558cf8a2db03";
+inline constexpr char hash[] = "b8d1a7f06c8e890347146c8d7429df24";
 inline constexpr int dim = 3;
 inline constexpr int num_nodes = 8;
 inline constexpr int num_points = 8;

@@ -9,7 +9,7 @@
 // quadrature   q1
 // split        none
 // profile      x86-cache
-// hash         0d34887effc51e704cf1c812588bb688
+// hash         07b39a1627bb194abac565d6b91e93c7
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
 // general  constants              51         10      0          96       80          1
@@ -26,7 +26,7 @@
 
 namespace elastogen::kernels::hooke_tet4_q1_none {
 
-inline constexpr char hash[] = "0d34887effc51e704cf1c812588bb688";
+inline constexpr char hash[] = "07b39a1627bb194abac565d6b91e93c7";
 inline constexpr int dim = 3;
 inline constexpr int num_nodes = 4;
 inline constexpr int num_points = 1;

@@ -6,102 +6,101 @@ namespace {
 namespace kernels = elastogen::kernels::stvk_hexa8_q8_none;
 using S = double;
 using V = elastogen::kernel::DoublePack;
-using elastogen::kernel::Write;
 using Arguments = elastogen::KernelArguments<S>;
 [[maybe_unused]] constexpr int num_dofs = kernels::num_nodes * kernels::dim;
 
 void general_constants(const Arguments& arguments) {
-  elastogen::kernel::run<V, kernels::general::num_constants, Write::overwrite>(
+  elastogen::kernel::run<V, kernels::general::num_constants>(
       arguments, [](const auto& in, V* out, V& margin) {
         kernels::general::constants<V>(in, out, margin);
       });
 }
 void general_geometry(const Arguments& arguments) {
-  elastogen::kernel::run<V, 2 * kernels::num_nodes + kernels::num_points, Write::overwrite>(
+  elastogen::kernel::run<V, 2 * kernels::num_nodes + kernels::num_points>(
       arguments, [](const auto& in, V* out, V& margin) {
         kernels::general::geometry<V>(in, out, margin);
       });
 }
 void general_energy(const Arguments& arguments) {
-  elastogen::kernel::run<V, 1, Write::accumulate>(
+  elastogen::kernel::run<V, 1>(
       arguments, [](const auto& in, V* out, V& margin) {
         kernels::general::energy<V>(in, out, margin);
       });
 }
 void general_forces(const Arguments& arguments) {
-  elastogen::kernel::run<V, num_dofs, Write::accumulate>(
+  elastogen::kernel::run<V, num_dofs>(
       arguments, [](const auto& in, V* out, V& margin) {
         kernels::general::forces<V>(in, out, margin);
       });
 }
 void general_product(const Arguments& arguments) {
-  elastogen::kernel::run<V, num_dofs, Write::accumulate_scaled>(
+  elastogen::kernel::run<V, num_dofs>(
       arguments, [](const auto& in, V* out, V& margin) {
         kernels::general::product<V>(in, out, margin);
       });
 }
 void general_linearize(const Arguments& arguments) {
-  elastogen::kernel::run<V, kernels::general::num_state, Write::overwrite>(
+  elastogen::kernel::run<V, kernels::general::num_state>(
       arguments, [](const auto& in, V* out, V& margin) {
         kernels::general::linearize<V>(in, out, margin);
       });
 }
 void general_apply(const Arguments& arguments) {
-  elastogen::kernel::run<V, num_dofs, Write::accumulate_scaled>(
+  elastogen::kernel::run<V, num_dofs>(
       arguments, [](const auto& in, V* out, V& margin) {
         kernels::general::apply<V>(in, out, margin);
       });
 }
 void general_stiffness(const Arguments& arguments) {
-  elastogen::kernel::run<V, num_dofs * num_dofs, Write::overwrite>(
+  elastogen::kernel::run<V, num_dofs * num_dofs>(
       arguments, [](const auto& in, V* out, V& margin) {
         kernels::general::stiffness<V>(in, out, margin);
       });
 }
 void box_constants(const Arguments& arguments) {
-  elastogen::kernel::run<V, kernels::box::num_constants, Write::overwrite>(
+  elastogen::kernel::run<V, kernels::box::num_constants>(
       arguments, [](const auto& in, V* out, V& margin) {
         kernels::box::constants<V>(in, out, margin);
       });
 }
 void box_geometry(const Arguments& arguments) {
-  elastogen::kernel::run<V, 2 * kernels::num_nodes + kernels::num_points, Write::overwrite>(
+  elastogen::kernel::run<V, 2 * kernels::num_nodes + kernels::num_points>(
       arguments, [](const auto& in, V* out, V& margin) {
         kernels::box::geometry<V>(in, out, margin);
       });
 }
 void box_energy(const Arguments& arguments) {
-  elastogen::kernel::run<V, 1, Write::accumulate>(
+  elastogen::kernel::run<V, 1>(
       arguments, [](const auto& in, V* out, V& margin) {
         kernels::box::energy<V>(in, out, margin);
       });
 }
 void box_forces(const Arguments& arguments) {
-  elastogen::kernel::run<V, num_dofs, Write::accumulate>(
+  elastogen::kernel::run<V, num_dofs>(
       arguments, [](const auto& in, V* out, V& margin) {
         kernels::box::forces<V>(in, out, margin);
       });
 }
 void box_product(const Arguments& arguments) {
-  elastogen::kernel::run<V, num_dofs, Write::accumulate_scaled>(
+  elastogen::kernel::run<V, num_dofs>(
       arguments, [](const auto& in, V* out, V& margin) {
         kernels::box::product<V>(in, out, margin);
       });
 }
 void box_linearize(const Arguments& arguments) {
-  elastogen::kernel::run<V, kernels::box::num_state, Write::overwrite>(
+  elastogen::kernel::run<V, kernels::box::num_state>(
       arguments, [](const auto& in, V* out, V& margin) {
         kernels::box::linearize<V>(in, out, margin);
       });
 }
 void box_apply(const Arguments& arguments) {
-  elastogen::kernel::run<V, num_dofs, Write::accumulate_scaled>(
+  elastogen::kernel::run<V, num_dofs>(
       arguments, [](const auto& in, V* out, V& margin) {
         kernels::box::apply<V>(in, out, margin);
       });
 }
 void box_stiffness(const Arguments& arguments) {
-  elastogen::kernel::run<V, num_dofs * num_dofs, Write::overwrite>(
+  elastogen::kernel::run<V, num_dofs * num_dofs>(
       arguments, [](const auto& in, V* out, V& margin) {
         kernels::box::stiffness<V>(in, out, margin);
       });
@@ -116,7 +115,8 @@ constexpr elastogen::VariantTable<S> variants[] = {{"general", kernels::general:
     box_linearize, box_apply, box_stiffness}};
 constexpr elastogen::KernelTable<S> table = {elastogen::kernel_abi_version,
     elastogen::kernel::lanes_of<V>, "stvk-hexa8-q8-none", "hexa8", kernels::hash, kernels::dim,
-    kernels::num_nodes, kernels::num_points, 2, parameter_names, 2, variants};
+    kernels::num_nodes, kernels::num_points, 2, parameter_names, elastogen::kernel::nodal_pass<V,
+    kernels::num_nodes, kernels::dim>, 2, variants};
 
 }  // namespace
 

@@ -9,7 +9,7 @@
 // quadrature   q1
 // split        none
 // profile      x86-cache
-// hash         60815e55c33a93ca767829ea9089d326
+// hash         0e5c8c9e61d862f4d56e308a9fe157ab
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
 // general  constants              51         10      0          96       80          1
@@ -26,7 +26,7 @@
 
 namespace elastogen::kernels::stvk_tet4_q1_none {
 
-inline constexpr char hash[] = "60815e55c33a93ca767829ea9089d326";
+inline constexpr char hash[] = "0e5c8c9e61d862f4d56e308a9fe157ab";
 inline constexpr int dim = 3;
 inline constexpr int num_nodes = 4;
 inline constexpr int num_points = 1;

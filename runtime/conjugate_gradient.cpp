@@ -46,6 +46,23 @@ void ConjugateGradient::multiply() {
   constraints_.project(product_);
 }
 
+// Sets residual_ = b - A x, after making x 0 where it is no better than that. Returns its norm.
+double ConjugateGradient::start(const ConstVectorRef& b, double b_norm, VectorRef x) {
+  const int threads = model_.num_threads();
+  constraints_.project(x);
+  if (norm(x, threads) != 0) {
+    direction_ = x;
+    multiply();
+    axpy(-1, product_, residual_, threads);
+    const double r_norm = norm(residual_, threads);
+    if (r_norm < b_norm) return r_norm;
+    residual_ = b;
+    constraints_.project(residual_);
+  }
+  x.setZero();
+  return b_norm;
+}
+
 LinearSolveReport ConjugateGradient::solve(const ConstVectorRef& b, double tolerance, VectorRef x) {
   const double product_before = times_.product;
   double elapsed = 0;
@@ -53,11 +70,10 @@ LinearSolveReport ConjugateGradient::solve(const ConstVectorRef& b, double toler
   {
     const Stopwatch watch(elapsed);
     const int threads = model_.num_threads();
-    x.setZero();
     residual_ = b;
     constraints_.project(residual_);
     const double b_norm = norm(residual_, threads);
-    double r_norm = b_norm;
+    double r_norm = start(b, b_norm, x);
     double rz = preconditioner_->apply(residual_, preconditioned_);
     direction_ = preconditioned_;
     while (r_norm > tolerance * b_norm && report.iterations < max_iterations_) {

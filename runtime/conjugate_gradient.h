@@ -22,6 +22,7 @@ class ConjugateGradient final : public LinearSolver {
 
  private:
   void multiply();
+  double start(const ConstVectorRef& b, double b_norm, VectorRef x);
 
   Model& model_;
   const Constraints& constraints_;

@@ -15,8 +15,10 @@ ImplicitEuler::ImplicitEuler(Model& model, const Constraints& constraints,
       solver_(make_linear_solver(options.linear_solver, model, constraints)) {}
 
 void ImplicitEuler::solve(const Vector& u, double h, const Vector& b, const Vector& v, Vector& x) {
-  x.setZero(u.size());
-  if (constraints_.num_free() == 0) return;
+  if (constraints_.num_free() == 0) {
+    x.setZero();
+    return;
+  }
   solver_->set_added_diagonal((1 + h * options_.damping) / (h * h) * mass_);
   if (options_.projection != TangentProjection::always) {
     model_.linearize(u);
@@ -60,7 +62,9 @@ void ImplicitEuler::advance(double time, double h) {
       velocity[k] = (moved[k] - state_.u[k]) / h;
     }
   }
-  Vector change;
+  // Smooth motions change their velocity by nearly as much as in the step before.
+  Vector change = h * state_.a;
+  constraints_.project(change);
   solve(state_.u, h, total_forces() / h, velocity, change);
   state_.v = velocity + change;
   state_.u += h * state_.v;
@@ -93,6 +97,7 @@ void ImplicitEuler::iterate(double h, const Vector& before, const Vector& veloci
                       "iterations",
                       residual.norm() / reference, iteration));
     }
+    change.setZero(u.size());
     solve(u, h, residual, {}, change);
     u += change;
   }

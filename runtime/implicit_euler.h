@@ -23,6 +23,7 @@ class ImplicitEuler final : public Integrator {
 
   /// x = (K + (1 + h alpha) / h^2 M)^-1 (b - K v) on the free degrees of freedom, K about u.
   /// @param v  may be empty: without that term
+  /// @param x  in: a guess
   void solve(const Vector& u, double h, const Vector& b, const Vector& v, Vector& x);
   [[nodiscard]] bool try_solve(const Vector& b, const Vector& v, Vector& x);
   /// Newton's method from the displacement `u` towards the end of a step of length h.

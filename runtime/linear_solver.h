@@ -80,8 +80,10 @@ class LinearSolver {
   ///         conjugate gradient may see it only while solving, that on the nodes' blocks always
   [[nodiscard]] virtual bool set_shift(double shift) = 0;
 
-  /// Solves for x, starting from 0, to |b - A x| <= tolerance * |b| (Cholesky: exactly).
-  /// b is read on the free degrees of freedom only.
+  /// Solves for x to |b - A x| <= tolerance * |b| (Cholesky: exactly). b is read on the free
+  /// degrees of freedom only.
+  /// @param x  in: a guess; where it is no better than 0, iterations start from 0. out: 0 on
+  ///           constrained degrees of freedom
   virtual LinearSolveReport solve(const ConstVectorRef& b, double tolerance, VectorRef x) = 0;
 
   /// Diagonal of K + A [N/m] at the last update, of cholesky_cg where it last factorised.

@@ -156,6 +156,7 @@ bool StaticSolver::find_direction(double forcing, bool has_gap) {
       constraints_.project(right_side_);
     }
     if (solver_->set_shift(shift_)) {
+      direction_.setZero();
       const LinearSolveReport report = solver_->solve(right_side_, forcing, direction_);
       result_.linear_iterations += report.iterations;
       const bool descends = has_gap || dot(state_.residual, direction_, model_.num_threads()) > 0;

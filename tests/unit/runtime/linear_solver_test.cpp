@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "runtime/elimination_order.h"
@@ -29,6 +30,7 @@ TEST(LinearSolvers, RenewTheEarlierFactorWhenItServesNoMore) {
     model.linearize(u);
     solver->update();
     EXPECT_TRUE(solver->set_shift(0));
+    x.setZero();
     const LinearSolveReport report = solver->solve(b, 1e-8, x);
     EXPECT_TRUE(report.converged);
     return report.iterations;
@@ -71,6 +73,34 @@ TEST(EliminationOrder, TakesTheCheaperOfTheOwnOrderAndMinimumDegree) {
     for (std::size_t k = 0; k < order.size(); ++k) {
       ASSERT_EQ(order[k], static_cast<std::int32_t>(k));
     }
+  }
+}
+
+TEST(LinearSolvers, AGoodGuessSavesIterationsAndABadOneDoesNoHarm) {
+  const Mesh mesh = bar_mesh("hexa8", {8, 2, 2}, {8, 1, 1});
+  const auto table = ReferenceKernels<Hexa8, 8, false>::table();
+  Model model(mesh, one_part(mesh, table), {.threads = 1});
+  const Constraints constraints = clamp_left(mesh);
+  const auto solver = make_linear_solver({}, model, constraints);
+  solver->update();
+  ASSERT_TRUE(solver->set_shift(0));
+  const Vector b = random_vector(model.num_dofs(), 1, 3);
+  Vector from_zero = Vector::Zero(b.size());
+  const int iterations = solver->solve(b, 1e-10, from_zero).iterations;
+
+  Vector near = from_zero + 1e-6 * from_zero.norm() * random_vector(model.num_dofs(), 1, 4);
+  EXPECT_LT(solver->solve(b, 1e-6, near).iterations, iterations);
+  Vector exact = from_zero;
+  EXPECT_EQ(solver->solve(b, 1e-8, exact).iterations, 0);
+  EXPECT_EQ((exact - from_zero).norm(), 0);
+
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const double size : {1e12, inf, inf - inf}) {
+    Vector far = Vector::Constant(b.size(), size);
+    const LinearSolveReport report = solver->solve(b, 1e-10, far);
+    EXPECT_TRUE(report.converged) << size;
+    EXPECT_EQ(report.iterations, iterations) << size;
+    EXPECT_EQ((far - from_zero).norm(), 0) << size;
   }
 }
 

@@ -136,6 +136,7 @@ struct Foundation {
     }
   }
   static void energy(const Arguments& args) {
+    for (int l = 0; l < lanes; ++l) args.output[l] = 0;
     for (int k = 0; k < size * lanes; ++k) {
       args.output[k % lanes] +=
           args.parameters[0] / 2 * args.displacement[k] * args.displacement[k];
@@ -143,7 +144,7 @@ struct Foundation {
   }
   static void forces(const Arguments& args) {
     for (int k = 0; k < size * lanes; ++k) {
-      args.output[k] -= args.parameters[0] * args.displacement[k];
+      args.output[k] = -args.parameters[0] * args.displacement[k];
     }
   }
   static void stiffness(const Arguments& args) {
@@ -168,7 +169,19 @@ TEST(Model, WorksInThePlane) {
                                         nullptr,
                                         &Foundation::stiffness};
   const KernelTable<double> table = {
-      kernel_abi_version, 8, "foundation-tri3-q1-none", "tri3", "", 2, 3, 1, 1, names, 1, &variant};
+      kernel_abi_version,
+      8,
+      "foundation-tri3-q1-none",
+      "tri3",
+      "",
+      2,
+      3,
+      1,
+      1,
+      names,
+      &kernel::nodal_pass<kernel::Pack<double, 8>, 3, 2>,
+      1,
+      &variant};
   Mesh mesh;
   mesh.dim = 2;
   mesh.positions = {0, 0, 1, 0, 1, 1, 0, 1};

@@ -60,7 +60,7 @@ TEST_P(Cantilever, LinearSolverSolvesOnTheFreeDegreesOfFreedom) {
   model_.linearize(random_vector(model_.num_dofs(), 1e-3, 3));
   solver->update();
   Vector b = random_vector(model_.num_dofs(), 1, 4);
-  Vector x(b.size());
+  Vector x = Vector::Zero(b.size());
   for (const double shift : {0.0, 0.5}) {
     ASSERT_TRUE(solver->set_shift(shift));
     const LinearSolveReport report = solver->solve(b, 1e-10, x);
@@ -85,7 +85,7 @@ TEST_P(Cantilever, NegativeCurvatureIsSeenAndShiftedAway) {
   const auto solver = make_linear_solver({.kind = GetParam()}, model_, constraints_);
   model_.linearize(u);
   solver->update();
-  Vector x(u.size());
+  Vector x = Vector::Zero(u.size());
   const Vector b = random_vector(model_.num_dofs(), 1, 5);
   EXPECT_FALSE(solver->set_shift(0) && solver->solve(b, 1e-8, x).positive_definite);
   ASSERT_TRUE(solver->set_shift(10));
