@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "cmake_project.h"
 #include "selector/support/files.h"
@@ -51,8 +52,12 @@ class KernelConsumer : public ::testing::Test {
 
 TEST_F(KernelConsumer, RebuildsExactlyTheKernelsOfAChangedLaw) {
   (void)project_->build();
-  EXPECT_EQ(output_of({(project_->folder() / "consumer").string()}),
-            "hooke-tet4-q1-none 8\nstvk-tet4-q1-none 16\n");
+  // As wide as this machine's vectors; twice as many floats as doubles.
+  const std::string lanes = output_of({(project_->folder() / "consumer").string()});
+  const std::set<std::string> possible = {"hooke-tet4-q1-none 2\nstvk-tet4-q1-none 4\n",
+                                          "hooke-tet4-q1-none 4\nstvk-tet4-q1-none 8\n",
+                                          "hooke-tet4-q1-none 8\nstvk-tet4-q1-none 16\n"};
+  EXPECT_TRUE(possible.contains(lanes)) << lanes;
   const auto hooke = times("hooke");
   const auto stvk = times("stvk");
   ASSERT_EQ(hooke.size(), 6U);  // two headers, two sources, two objects
