@@ -1,5 +1,6 @@
 #include "runtime/cholesky_factor.h"
 
+#include <Eigen/IterativeLinearSolvers>
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 
@@ -25,5 +26,20 @@ bool SimplicialCholesky::factorize(const Matrix& matrix) {
 void SimplicialCholesky::solve(const Vector& b, Vector& x) { x = factor_->solve(b); }
 
 double SimplicialCholesky::multiplications() const { return factor_->multiplications(); }
+
+struct IncompleteCholesky::Factor
+    : Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>> {};
+
+IncompleteCholesky::IncompleteCholesky() : factor_(std::make_unique<Factor>()) {}
+IncompleteCholesky::~IncompleteCholesky() = default;
+
+void IncompleteCholesky::analyze(const Matrix& matrix) { factor_->analyzePattern(matrix); }
+
+bool IncompleteCholesky::factorize(const Matrix& matrix) {
+  factor_->factorize(matrix);
+  return factor_->info() == Eigen::Success;
+}
+
+void IncompleteCholesky::solve(const Vector& b, Vector& x) { x = factor_->solve(b); }
 
 }  // namespace elastogen

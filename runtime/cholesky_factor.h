@@ -22,8 +22,14 @@ class CholeskyFactor {
   /// @param matrix  of the pattern analysed
   /// @return false if it is seen not to be positive definite
   [[nodiscard]] virtual bool factorize(const Matrix& matrix) = 0;
-  /// x = A^-1 b, after a factorisation that succeeded.
+  /// x = (L L^T)^-1 b, after a factorisation that succeeded.
   virtual void solve(const Vector& b, Vector& x) = 0;
+  /// The same with L rounded to single precision, where that is faster: for preconditioning.
+  virtual void solve_roughly(const Vector& b, Vector& x) { solve(b, x); }
+
+  /// Whether L has entries where A has none: rows are then ordered so that these are few, else as
+  /// the nodes are numbered.
+  [[nodiscard]] virtual bool has_fill() const { return true; }
 };
 
 using MakeCholeskyFactor = std::function<std::unique_ptr<CholeskyFactor>()>;
@@ -40,6 +46,25 @@ class SimplicialCholesky final : public CholeskyFactor {
 
   /// Of one factorisation, after `analyze`: squares of the columns' lengths, summed.
   [[nodiscard]] double multiplications() const;
+
+ private:
+  struct Factor;
+  std::unique_ptr<Factor> factor_;
+};
+
+/// L with as many entries in each column as A's lower triangle has, the largest ones; an incomplete
+/// factorisation for preconditioning, with a diagonal shift where it would break down.
+/// Source: Lin & More, Incomplete Cholesky factorizations with limited memory, SIAM J. Sci. Comput.
+/// 21 (1999) 24-45; Eigen's.
+class IncompleteCholesky final : public CholeskyFactor {
+ public:
+  IncompleteCholesky();
+  ~IncompleteCholesky() override;
+
+  void analyze(const Matrix& matrix) override;
+  [[nodiscard]] bool factorize(const Matrix& matrix) override;
+  void solve(const Vector& b, Vector& x) override;
+  [[nodiscard]] bool has_fill() const override { return false; }
 
  private:
   struct Factor;

@@ -117,8 +117,7 @@ CongruentElements find_congruent_elements(std::span<const double> positions, std
     for (std::size_t s = 0; s < num_shapes; ++s) {
       std::vector<std::size_t>& elements = waiting[s];
       const std::size_t full = elements.size() / lanes * lanes;
-      interleave_lanes(full, lanes,
-                       [&](std::size_t k) { found.order.push_back(elements[k]); });
+      interleave_lanes(full, lanes, [&](std::size_t k) { found.order.push_back(elements[k]); });
       found.shape.insert(found.shape.end(), full / lanes, static_cast<std::int32_t>(s));
       elements.erase(elements.begin(), elements.begin() + static_cast<std::ptrdiff_t>(full));
     }

@@ -74,9 +74,15 @@ LinearSolveReport ConjugateGradient::solve(const ConstVectorRef& b, double toler
     constraints_.project(residual_);
     const double b_norm = norm(residual_, threads);
     double r_norm = start(b, b_norm, x);
-    double rz = preconditioner_->apply(residual_, preconditioned_);
-    direction_ = preconditioned_;
+    double rz = 0;
     while (r_norm > tolerance * b_norm && report.iterations < max_iterations_) {
+      const double next = preconditioner_->apply(residual_, preconditioned_);
+      if (report.iterations == 0) {
+        direction_ = preconditioned_;
+      } else {
+        xpby(preconditioned_, next / rz, direction_, threads);
+      }
+      rz = next;
       multiply();
       const double curvature = dot(direction_, product_, threads);
       ++report.iterations;
@@ -89,9 +95,6 @@ LinearSolveReport ConjugateGradient::solve(const ConstVectorRef& b, double toler
       axpy(alpha, direction_, x, threads);
       axpy(-alpha, product_, residual_, threads);
       r_norm = norm(residual_, threads);
-      const double next = preconditioner_->apply(residual_, preconditioned_);
-      xpby(preconditioned_, next / rz, direction_, threads);
-      rz = next;
     }
     report.converged = report.positive_definite && r_norm <= tolerance * b_norm;
     report.relative_residual = b_norm > 0 ? r_norm / b_norm : 0;

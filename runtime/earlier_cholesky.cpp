@@ -18,7 +18,9 @@ EarlierCholesky::EarlierCholesky(Model& model, const Constraints& constraints,
 
 void EarlierCholesky::update(const Vector& added) {
   if (!is_stale_ && has_factor_) return;
-  if (added.size() > 0) cholesky_.set_added_diagonal(added);
+  // A mass keeps the condition so low that rounding of the factor does no harm.
+  is_bounded_ = added.size() > 0;
+  if (is_bounded_) cholesky_.set_added_diagonal(added);
   cholesky_.update();
   is_stale_ = false;
   has_factor_ = false;
@@ -26,17 +28,23 @@ void EarlierCholesky::update(const Vector& added) {
 
 bool EarlierCholesky::set_shift(double shift) {
   // With another shift the factor is only another one nearby.
-  if (!has_factor_) has_factor_ = cholesky_.set_shift(shift);
+  if (!has_factor_) is_new_ = has_factor_ = cholesky_.set_shift(shift);
   return has_factor_;
 }
 
 double EarlierCholesky::apply(const Vector& r, Vector& z) {
-  cholesky_.solve(r, 0, z);
+  if (is_bounded_) {
+    cholesky_.solve_roughly(r, z);
+  } else {
+    cholesky_.solve(r, 0, z);
+  }
   return dot(r, z, model_.num_threads());
 }
 
 void EarlierCholesky::note_iterations(int iterations) {
-  if (iterations > worth_of_factorization) is_stale_ = true;
+  if (is_new_) iterations_when_new_ = iterations;
+  is_new_ = false;
+  if (iterations > iterations_when_new_ + worth_of_factorization) is_stale_ = true;
 }
 
 }  // namespace elastogen

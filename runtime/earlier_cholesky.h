@@ -1,4 +1,4 @@
-// The Cholesky factor of an earlier tangent as preconditioner.
+// The Cholesky factor of an earlier tangent, complete or not, as preconditioner.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,8 @@
 
 namespace elastogen {
 
-/// Factorises where it has no factor, and anew when a solve took so many iterations that a
-/// factorisation would have cost less.
+/// Factorises where it has no factor, and anew when a solve took so many iterations more than the
+/// first with the present factor that a factorisation would have cost less.
 class EarlierCholesky final : public Preconditioner {
  public:
   EarlierCholesky(Model& model, const Constraints& constraints,
@@ -30,6 +30,9 @@ class EarlierCholesky final : public Preconditioner {
   SparseCholesky cholesky_;
   bool is_stale_ = true;     // the next update shall look at the tangent
   bool has_factor_ = false;  // of the last tangent looked at, with some shift
+  bool is_bounded_ = false;  // something was added to the tangent's diagonal
+  bool is_new_ = false;      // nothing was solved with it
+  int iterations_when_new_ = 0;
 };
 
 }  // namespace elastogen

@@ -20,7 +20,8 @@ namespace elastogen {
 /// Layout, with L = lanes, n = nodes of the element, d = dim:
 ///   elements   [batch * L + lane]                     element number in the mesh
 ///   dofs       [(batch * n + a) * L + lane]           d * node: first degree of freedom
-///   shape      [batch]                                set of positions and constants that all lanes
+///   shape      [batch]                                set of positions and constants that all
+///   lanes
 ///                                                     of the batch share (congruent_elements.h);
 ///                                                     empty: every batch has a set of its own
 ///   positions  [((set * n + a) * d + i) * L + lane]   of node a from node 0 of its element, which

@@ -55,8 +55,8 @@ template <class Layout, class Scalar>
   return any == status_ok ? ElementStatus{} : batch_status(group, batch, flags);
 }
 
-/// Runs `pass` over a share. After each batch `consume(layout, group, batch, output)` is called with
-/// the batch's result.
+/// Runs `pass` over a share. After each batch `consume(layout, group, batch, output)` is called
+/// with the batch's result.
 template <class Scalar, class Consume>
 [[nodiscard]] ElementStatus run_pass(const std::vector<ElementGroup<Scalar>>& groups,
                                      const ThreadShare& share, const ElementPass<Scalar>& pass,

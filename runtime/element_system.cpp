@@ -45,8 +45,8 @@ ElementStatus first_bad_element(const ElementGroup<Scalar>& group, const BatchRa
   ElementStatus first;
   with_layout(group, [&](auto layout) {
     for (std::size_t batch = range.begin; batch < range.end; ++batch) {
-      first.merge(compute_batch<decltype(layout)>(group, batch, pass, workspace,
-                                                  workspace.output.data()));
+      first.merge(
+          compute_batch<decltype(layout)>(group, batch, pass, workspace, workspace.output.data()));
     }
   });
   return first;

@@ -62,8 +62,8 @@ void ImplicitEuler::advance(double time, double h) {
       velocity[k] = (moved[k] - state_.u[k]) / h;
     }
   }
-  // Smooth motions change their velocity by nearly as much as in the step before.
-  Vector change = h * state_.a;
+  // A guess: in smooth motions the acceleration goes on as it did.
+  Vector change = h * (2 * state_.a - state_.a_before);
   constraints_.project(change);
   solve(state_.u, h, total_forces() / h, velocity, change);
   state_.v = velocity + change;
@@ -79,6 +79,7 @@ void ImplicitEuler::advance(double time, double h) {
     }
   }
   state_.a = (state_.v - before.v) / h;
+  state_.a_before = before.a;
 }
 
 void ImplicitEuler::iterate(double h, const Vector& before, const Vector& velocity, Vector& u) {

@@ -35,11 +35,12 @@ void check_sizes(const Model& model, const Constraints& constraints, const Const
                  const MotionState& start) {
   const auto n = static_cast<Eigen::Index>(model.num_dofs());
   if (constraints.num_dofs() != model.num_dofs() || load.size() != n || start.u.size() != n ||
-      start.v.size() != n || start.a.size() != n) {
+      start.v.size() != n || start.a.size() != n || start.a_before.size() != n) {
     throw InternalError(fmt::format(
-        "integrator: constraints, load, u, v, a have {}, {}, {}, {}, {} values, the "
+        "integrator: constraints, load, u, v, a, a_before have {}, {}, {}, {}, {}, {} values, the "
         "model {}",
-        constraints.num_dofs(), load.size(), start.u.size(), start.v.size(), start.a.size(), n));
+        constraints.num_dofs(), load.size(), start.u.size(), start.v.size(), start.a.size(),
+        start.a_before.size(), n));
   }
 }
 
@@ -139,7 +140,8 @@ MotionState start_of_motion(const Model& model, std::span<const double> velocity
         fmt::format("start of motion: {} components of velocity in {}D", velocity.size(), dim));
   }
   MotionState state;
-  state.u = state.v = state.a = Vector::Zero(static_cast<Eigen::Index>(model.num_dofs()));
+  state.u = state.v = state.a = state.a_before =
+      Vector::Zero(static_cast<Eigen::Index>(model.num_dofs()));
   for (std::size_t dof = 0; dof < model.num_dofs(); ++dof) {
     state.v[static_cast<Eigen::Index>(dof)] = velocity[dof % dim];
   }

@@ -27,10 +27,11 @@ enum class IntegrationScheme {
 /// All that the next step depends on.
 struct MotionState {
   std::int64_t step =
-      0;     ///< complete steps since time 0; the time is step * IntegratorOptions::step
-  Vector u;  ///< displacement [m]
-  Vector v;  ///< velocity [m/s]
-  Vector a;  ///< acceleration of the last step [m/s^2]
+      0;            ///< complete steps since time 0; the time is step * IntegratorOptions::step
+  Vector u;         ///< displacement [m]
+  Vector v;         ///< velocity [m/s]
+  Vector a;         ///< acceleration of the last step [m/s^2]
+  Vector a_before;  ///< of the step before that; explicit schemes leave it 0
 };
 
 struct IntegratorOptions {

@@ -29,8 +29,8 @@ namespace elastogen {
 
 inline constexpr std::uint32_t kernel_abi_version = 3;
 
-/// Most lanes that a batch may have: one 64-byte vector, 8 doubles or 16 floats. A table has as many
-/// as the vectors that its kernels were compiled for, a power of 2; 1 for scalar kernels.
+/// Most lanes that a batch may have: one 64-byte vector, 8 doubles or 16 floats. A table has as
+/// many as the vectors that its kernels were compiled for, a power of 2; 1 for scalar kernels.
 template <class Scalar>
 inline constexpr int most_lanes = static_cast<int>(64 / sizeof(Scalar));
 
@@ -65,8 +65,8 @@ struct KernelArguments {
 template <class Scalar>
 using KernelFunction = void (*)(const KernelArguments<Scalar>&);
 
-/// A kernel of nodal outputs (forces, product, apply) over batches of one group, from global vectors
-/// into one. Global vectors are node-major and of doubles, whatever the kernel's precision:
+/// A kernel of nodal outputs (forces, product, apply) over batches of one group, from global
+/// vectors into one. Global vectors are node-major and of doubles, whatever the kernel's precision:
 ///   sum[dof - first_dof] += scale * output
 /// In single precision gathered values are those less the value of the element's node 0, so that
 /// its own motion is not lost in that of the body.
@@ -75,14 +75,14 @@ struct NodalPass {
   KernelFunction<Scalar> kernel = nullptr;
   /// Parameters, and positions, constants, state of set 0 (null: not read); the rest is not used.
   KernelArguments<Scalar> arguments;
-  std::size_t positions_stride = 0;     ///< numbers from one set to the next
-  std::size_t constants_stride = 0;     ///< likewise
-  std::size_t state_stride = 0;         ///< likewise, from batch to batch
-  const std::int32_t* shape = nullptr;  ///< [batch]: set of positions and constants; null: batch
-  const std::int32_t* dofs = nullptr;   ///< [(batch * n + a) * L + l], d * node
-  std::size_t begin = 0, end = 0;       ///< batches to compute
-  std::size_t num_elements = 0;         ///< of the group: lanes beyond them are not added
-  std::int32_t end_dof = 0;             ///< length of the global vectors
+  std::size_t positions_stride = 0;      ///< numbers from one set to the next
+  std::size_t constants_stride = 0;      ///< likewise
+  std::size_t state_stride = 0;          ///< likewise, from batch to batch
+  const std::int32_t* shape = nullptr;   ///< [batch]: set of positions and constants; null: batch
+  const std::int32_t* dofs = nullptr;    ///< [(batch * n + a) * L + l], d * node
+  std::size_t begin = 0, end = 0;        ///< batches to compute
+  std::size_t num_elements = 0;          ///< of the group: lanes beyond them are not added
+  std::int32_t end_dof = 0;              ///< length of the global vectors
   const double* displacement = nullptr;  ///< null: not read
   const double* direction = nullptr;     ///< likewise
   double scale = 1;

@@ -39,8 +39,7 @@ template <class V>
 struct pack_traits {
   using scalar = std::remove_cvref_t<decltype(std::declval<V>()[0])>;
   static constexpr int lanes = static_cast<int>(sizeof(V) / sizeof(scalar));
-  using integer =
-      Pack<std::conditional_t<sizeof(scalar) == 8, std::int64_t, std::int32_t>, lanes>;
+  using integer = Pack<std::conditional_t<sizeof(scalar) == 8, std::int64_t, std::int32_t>, lanes>;
 };
 template <>
 struct pack_traits<double> {

@@ -62,8 +62,8 @@ inline void report_status(const V& margin, const V& residue, std::uint32_t* stat
     using I = Integer<V>;
     const I outside = I{} + Integer<Scalar<V>>(status_outside_domain);
     const I not_finite = I{} + Integer<Scalar<V>>(status_not_finite);
-    const I flags = (margin > Scalar<V>(0) ? I{} : outside) |
-                    (residue == Scalar<V>(0) ? I{} : not_finite);
+    const I flags =
+        (margin > Scalar<V>(0) ? I{} : outside) | (residue == Scalar<V>(0) ? I{} : not_finite);
     for (int l = 0; l < lanes_of<V>; ++l) status[l] |= static_cast<std::uint32_t>(flags[l]);
   }
 }

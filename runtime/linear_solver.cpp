@@ -16,7 +16,8 @@ std::string_view projection_name(TangentProjection projection) {
 }
 
 std::string_view solver_name(LinearSolverKind kind) {
-  constexpr std::array<std::string_view, 3> names = {"cg", "cholesky", "cholesky_cg"};
+  constexpr std::array<std::string_view, 4> names = {"cg", "cholesky", "cholesky_cg",
+                                                     "incomplete_cg"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -26,10 +27,16 @@ std::unique_ptr<LinearSolver> make_linear_solver(const LinearSolverOptions& opti
     return std::make_unique<SparseCholesky>(model, constraints, options.cholesky());
   }
   std::unique_ptr<Preconditioner> preconditioner;
-  if (options.kind == LinearSolverKind::cholesky_cg) {
-    preconditioner = std::make_unique<EarlierCholesky>(model, constraints, options.cholesky());
-  } else {
-    preconditioner = std::make_unique<NodeBlocks>(model, constraints);
+  switch (options.kind) {
+    case LinearSolverKind::cholesky_cg:
+      preconditioner = std::make_unique<EarlierCholesky>(model, constraints, options.cholesky());
+      break;
+    case LinearSolverKind::incomplete_cg:
+      preconditioner = std::make_unique<EarlierCholesky>(model, constraints,
+                                                         std::make_unique<IncompleteCholesky>());
+      break;
+    default:
+      preconditioner = std::make_unique<NodeBlocks>(model, constraints);
   }
   return std::make_unique<ConjugateGradient>(model, constraints, std::move(preconditioner),
                                              options.max_iterations);

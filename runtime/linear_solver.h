@@ -23,10 +23,17 @@ enum class LinearSolverKind {
   /// Conjugate gradient preconditioned by the Cholesky factor of an earlier tangent, which is
   /// renewed when iterations rise: what is solved depends on the solves before it, to `tolerance`.
   cholesky_cg,
+  /// The same with an incomplete factor, which is cheaper to make and to apply and worth less.
+  incomplete_cg,
 };
 
-/// "cg", "cholesky", "cholesky_cg"
+/// "cg", "cholesky", "cholesky_cg", "incomplete_cg"
 [[nodiscard]] std::string_view solver_name(LinearSolverKind kind);
+
+/// Whether solves depend on factors of earlier ones.
+[[nodiscard]] inline bool keeps_factors(LinearSolverKind kind) {
+  return kind == LinearSolverKind::cholesky_cg || kind == LinearSolverKind::incomplete_cg;
+}
 
 struct LinearSolverOptions {
   LinearSolverKind kind = LinearSolverKind::conjugate_gradient;
@@ -86,7 +93,8 @@ class LinearSolver {
   ///           constrained degrees of freedom
   virtual LinearSolveReport solve(const ConstVectorRef& b, double tolerance, VectorRef x) = 0;
 
-  /// Diagonal of K + A [N/m] at the last update, of cholesky_cg where it last factorised.
+  /// Diagonal of K + A [N/m] at the last update, of an earlier factor where it last
+  /// factorised.
   [[nodiscard]] virtual const Vector& diagonal() const = 0;
 
   /// Sparse factorisations so far.

@@ -135,7 +135,8 @@ Model::Model(const Mesh& mesh, std::span<const ModelPart> parts, const ModelOpti
   d.threads = options.threads;
   const bool mixed = options.precision == Precision::mixed;
   check_parts(mesh, parts, options);
-  std::vector<ElementGroup<double>> groups = make_element_groups<double>(mesh, parts, options.share_constants);
+  std::vector<ElementGroup<double>> groups =
+      make_element_groups<double>(mesh, parts, options.share_constants);
   d.dim = mesh.dim;
   d.num_nodes = mesh.num_nodes();
   d.num_elements = mesh.num_elements();
@@ -151,7 +152,8 @@ Model::Model(const Mesh& mesh, std::span<const ModelPart> parts, const ModelOpti
     d.make_system(d.in_double, std::move(groups), !mixed);
   }
   if (options.precision != Precision::double_precision) {
-    d.make_system(d.in_single, make_element_groups<float>(mesh, parts, options.share_constants), true);
+    d.make_system(d.in_single, make_element_groups<float>(mesh, parts, options.share_constants),
+                  true);
   }
   d.displacement = Vector::Zero(static_cast<Eigen::Index>(d.num_dofs()));
   if (options.tangent_product != TangentProduct::recompute) linearize(Vector(d.displacement));

@@ -193,7 +193,8 @@ VariantElements<Scalar> pick(const VariantElements<Scalar>& from,
   for (const std::size_t place : places) {
     result.elements.push_back(from.elements[place]);
     const auto order = from.node_order.begin() + static_cast<std::ptrdiff_t>(place * n);
-    result.node_order.insert(result.node_order.end(), order, order + static_cast<std::ptrdiff_t>(n));
+    result.node_order.insert(result.node_order.end(), order,
+                             order + static_cast<std::ptrdiff_t>(n));
   }
   return result;
 }
@@ -237,10 +238,10 @@ void add_groups(const Mesh& mesh, const VariantElements<Scalar>& variant,
   CongruentElements congruent;
   if (share_constants) {
     const ElementBlock& block = mesh.blocks[source.block];
-    congruent = find_congruent_elements(
-        relative_positions(mesh, block, variant),
-        static_cast<std::size_t>(block.nodes_per_element * mesh.dim),
-        static_cast<std::size_t>(source.table->lanes));
+    congruent =
+        find_congruent_elements(relative_positions(mesh, block, variant),
+                                static_cast<std::size_t>(block.nodes_per_element * mesh.dim),
+                                static_cast<std::size_t>(source.table->lanes));
   }
   if (congruent.order.empty()) {
     add(variant, {});

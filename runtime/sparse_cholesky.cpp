@@ -1,6 +1,7 @@
 #include "runtime/sparse_cholesky.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "runtime/elimination_order.h"
@@ -21,7 +22,10 @@ void SparseCholesky::number_free() {
   const auto dim = static_cast<std::size_t>(model_.dim());
   free_numbers_.assign(model_.num_dofs(), -1);
   std::int32_t next = 0;
-  for (const std::int32_t node : elimination_order(stiffness_, model_.dim())) {
+  std::vector<std::int32_t> order(model_.num_nodes());
+  std::iota(order.begin(), order.end(), 0);
+  if (factor_->has_fill()) order = elimination_order(stiffness_, model_.dim());
+  for (const std::int32_t node : order) {
     for (std::size_t dof = dim * static_cast<std::size_t>(node), i = 0; i < dim; ++i, ++dof) {
       if (!constraints_.is_constrained(dof)) free_numbers_[dof] = next++;
     }
@@ -99,21 +103,36 @@ bool SparseCholesky::set_shift(double shift) {
   return factor_->factorize(free_matrix_);
 }
 
-LinearSolveReport SparseCholesky::solve(const ConstVectorRef& b, double, VectorRef x) {
-  const Stopwatch watch(times_.solve);
-  LinearSolveReport report;
+void SparseCholesky::take_free(const ConstVectorRef& b) {
   for (std::size_t dof = 0; dof < free_numbers_.size(); ++dof) {
     if (free_numbers_[dof] >= 0) free_b_[free_numbers_[dof]] = b[static_cast<Eigen::Index>(dof)];
   }
-  factor_->solve(free_b_, free_x_);
+}
+
+void SparseCholesky::give_free(VectorRef x) const {
   x.setZero();
   for (std::size_t dof = 0; dof < free_numbers_.size(); ++dof) {
     if (free_numbers_[dof] >= 0) x[static_cast<Eigen::Index>(dof)] = free_x_[free_numbers_[dof]];
   }
+}
+
+LinearSolveReport SparseCholesky::solve(const ConstVectorRef& b, double, VectorRef x) {
+  const Stopwatch watch(times_.solve);
+  LinearSolveReport report;
+  take_free(b);
+  factor_->solve(free_b_, free_x_);
+  give_free(x);
   // A pivot that is not a number passes Eigen's test of its sign, but not this one.
   report.positive_definite = free_x_.allFinite();
   report.converged = report.positive_definite;
   return report;
+}
+
+void SparseCholesky::solve_roughly(const ConstVectorRef& b, VectorRef x) {
+  const Stopwatch watch(times_.solve);
+  take_free(b);
+  factor_->solve_roughly(free_b_, free_x_);
+  give_free(x);
 }
 
 }  // namespace elastogen

@@ -18,6 +18,8 @@ class SparseCholesky final : public LinearSolver {
   void update() override;
   [[nodiscard]] bool set_shift(double shift) override;
   LinearSolveReport solve(const ConstVectorRef& b, double tolerance, VectorRef x) override;
+  /// x = about A^-1 b (CholeskyFactor::solve_roughly).
+  void solve_roughly(const ConstVectorRef& b, VectorRef x);
   [[nodiscard]] const Vector& diagonal() const override { return diagonal_; }
   [[nodiscard]] int factorizations() const override { return factorizations_; }
 
@@ -26,6 +28,8 @@ class SparseCholesky final : public LinearSolver {
 
   void number_free();
   void find_pattern();
+  void take_free(const ConstVectorRef& b);
+  void give_free(VectorRef x) const;
 
   Model& model_;
   const Constraints& constraints_;

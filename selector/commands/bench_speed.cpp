@@ -32,9 +32,9 @@ struct SpeedCommand {
 /// Without patterns: two laws on the elements that the published figures are of.
 const std::vector<std::string>& usual_patterns() {
   static const std::vector<std::string> patterns = {
-      "hooke-tet4-q1-none",      "stvk-tet4-q1-none",         "hooke-hexa8-q8-none",
-      "stvk-hexa8-q8-none",      "stvk-prism6-q6-none",       "stvk-pyramid5-q5-none",
-      "stvk-tet10-q4-none",      "neo_hookean-tet4-q1-none", "neo_hookean-hexa8-q8-none"};
+      "hooke-tet4-q1-none", "stvk-tet4-q1-none",        "hooke-hexa8-q8-none",
+      "stvk-hexa8-q8-none", "stvk-prism6-q6-none",      "stvk-pyramid5-q5-none",
+      "stvk-tet10-q4-none", "neo_hookean-tet4-q1-none", "neo_hookean-hexa8-q8-none"};
   return patterns;
 }
 
@@ -132,8 +132,7 @@ void add_kernels(CLI::App& bench, Context& context) {
 }
 
 void add_operators(CLI::App& bench, Context& context) {
-  const auto command =
-      new_command("operators", measure_operators, {"double"});
+  const auto command = new_command("operators", measure_operators, {"double"});
   SpeedOptions& options = command->options;
   options.meshes = {"distorted", "box-shaped"};
   options.strategies = {"recompute", "two-stage", "assembled"};
@@ -143,7 +142,8 @@ void add_operators(CLI::App& bench, Context& context) {
   sub->footer(
       "Products stand side by side for every strategy, with the `rebuild` that two-stage and\n"
       "assembled ones need after each linearisation: n products cost rebuild + n product. The\n"
-      "roofline is the greater of flops over the peak and bytes over the bandwidth that a triad of\n"
+      "roofline is the greater of flops over the peak and bytes over the bandwidth that a triad "
+      "of\n"
       "as many bytes reaches. Results are those of one thread and of all (--threads before the\n"
       "command).\n"
       "Examples:\n"

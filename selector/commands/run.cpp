@@ -162,10 +162,11 @@ std::vector<std::string> resume_warnings(const Scene& scene, const Checkpoint& s
         "run that was not interrupted",
         start.threads, threads));
   }
-  if (scene.dynamics && scene.solver.method == LinearSolverKind::cholesky_cg) {
-    warnings.push_back(
-        "the factor that 'cholesky_cg' had is not kept: from here results agree with those of a "
-        "run that was not interrupted to the linear tolerance, not to the last bit");
+  if (scene.dynamics && keeps_factors(scene.solver.method)) {
+    warnings.push_back(fmt::format(
+        "the factor that '{}' had is not kept: from here results agree with those of a run that "
+        "was not interrupted to the linear tolerance, not to the last bit",
+        solver_name(scene.solver.method)));
   }
   return warnings;
 }

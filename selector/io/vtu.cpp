@@ -99,6 +99,7 @@ void write_vtu(const std::filesystem::path& file, const Mesh& mesh, const VtuFie
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(grid);
   writer->WriteToOutputStringOn();
+  writer->SetCompressorTypeToLZ4();  // zlib takes as long as the step that is written
   if (writer->Write() != 1) {
     throw WorkError(fmt::format("{}: VTK cannot write this mesh", file.string()));
   }

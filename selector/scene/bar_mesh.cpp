@@ -181,13 +181,13 @@ void take_out(const InclusionDescription& inclusion, SceneMesh& result) {
       result.blocks.push_back(std::move(description));
     }
   }
-  const bool is_empty = std::none_of(
-      result.blocks.begin(), result.blocks.end(),
-      [&](const SceneMesh::Block& block) { return block.path == inclusion.path; });
+  const bool is_empty =
+      std::none_of(result.blocks.begin(), result.blocks.end(),
+                   [&](const SceneMesh::Block& block) { return block.path == inclusion.path; });
   if (is_empty) {
-    throw InputError(fmt::format(
-        "{}: {}.box holds no element: take one that the middle of an element lies in",
-        inclusion.box.where, inclusion.path));
+    throw InputError(
+        fmt::format("{}: {}.box holds no element: take one that the middle of an element lies in",
+                    inclusion.box.where, inclusion.path));
   }
 }
 

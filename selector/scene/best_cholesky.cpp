@@ -38,6 +38,7 @@ class BestCholesky final : public CholeskyFactor {
   }
   bool factorize(const Matrix& matrix) override { return factor_->factorize(matrix); }
   void solve(const Vector& b, Vector& x) override { factor_->solve(b, x); }
+  void solve_roughly(const Vector& b, Vector& x) override { factor_->solve_roughly(b, x); }
 
  private:
   std::unique_ptr<CholeskyFactor> factor_;

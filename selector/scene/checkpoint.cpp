@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int format_version = 1;
+constexpr int format_version = 2;
 
 Json bytes_of(const Vector& vector) {
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(vector.size()) * sizeof(double));
@@ -33,12 +33,13 @@ Json to_json(const MotionState& state) {
   return {{"step", state.step},
           {"u", bytes_of(state.u)},
           {"v", bytes_of(state.v)},
-          {"a", bytes_of(state.a)}};
+          {"a", bytes_of(state.a)},
+          {"a_before", bytes_of(state.a_before)}};
 }
 
 MotionState motion_of(const Json& json) {
   return {json.at("step"), vector_of(json.at("u")), vector_of(json.at("v")),
-          vector_of(json.at("a"))};
+          vector_of(json.at("a")), vector_of(json.at("a_before"))};
 }
 
 Json to_json(const LoadState& state) {

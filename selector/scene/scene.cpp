@@ -215,7 +215,7 @@ SolverSettings read_solver(const TomlTable& table,
   if (table.has("method")) {
     solver.method = choose(table, "method", solver_name,
                            {LinearSolverKind::conjugate_gradient, LinearSolverKind::cholesky,
-                            LinearSolverKind::cholesky_cg});
+                            LinearSolverKind::cholesky_cg, LinearSolverKind::incomplete_cg});
   }
   if (table.has("project")) {
     solver.projection =

@@ -5,8 +5,10 @@
 #include <omp.h>
 
 #include <Eigen/CholmodSupport>
+#include <optional>
 
 #include "runtime/cholesky_factor.h"
+#include "selector/supernodal/rounded_factor.h"
 
 namespace {
 
@@ -21,6 +23,13 @@ class OneThread {
 
  private:
   int levels_ = omp_get_max_active_levels();
+};
+
+/// CHOLMOD's factor, which Eigen keeps to itself.
+class OpenFactor
+    : public Eigen::CholmodSupernodalLLT<elastogen::CholeskyFactor::Matrix, Eigen::Lower> {
+ public:
+  [[nodiscard]] const cholmod_factor& factor() const { return *m_cholmodFactor; }
 };
 
 /// Dense blocks of columns by BLAS, in the matrix's own order.
@@ -38,15 +47,21 @@ class Supernodal final : public elastogen::CholeskyFactor {
   bool factorize(const Matrix& matrix) override {
     const OneThread one_thread;
     factor_.factorize(matrix);
+    rounded_.reset();
     return factor_.info() == Eigen::Success;
   }
   void solve(const elastogen::Vector& b, elastogen::Vector& x) override {
     const OneThread one_thread;
     x = factor_.solve(b);
   }
+  void solve_roughly(const elastogen::Vector& b, elastogen::Vector& x) override {
+    if (!rounded_) rounded_.emplace(factor_.factor());
+    rounded_->solve(b, x);
+  }
 
  private:
-  Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower> factor_;
+  OpenFactor factor_;
+  std::optional<elastogen::RoundedFactor> rounded_;  // of the present factor, made when needed
 };
 
 }  // namespace

@@ -275,7 +275,7 @@ TEST_F(Steps, PrescribedMotionFollowsItsHistory) {
 }
 
 TEST_F(Steps, LoadStepsGoOnToTheSameFiles) {
-  for (const std::string method : {"cg", "cholesky_cg"}) {
+  for (const std::string method : {"cg", "cholesky_cg", "incomplete_cg"}) {
     const std::string steps =
         fmt::format("[solver]\nmethod = \"{}\"\nload_steps = 4\nmax_iterations = ", method);
     expect_run(twisted_bar + steps + "100\n");

@@ -14,8 +14,8 @@ namespace {
 class SpeedBench : public Run {
  protected:
   [[nodiscard]] ProcessResult call(const std::vector<std::string>& arguments) const {
-    std::vector<std::string> command = {"env", cache_setting(), program(), "--quiet",
-                                        "--threads", "2", "bench"};
+    std::vector<std::string> command = {"env", cache_setting(), program(), "--quiet", "--threads",
+                                        "2",   "bench"};
     command.insert(command.end(), arguments.begin(), arguments.end());
     return run_process(command);
   }
@@ -49,8 +49,7 @@ TEST_F(SpeedBench, KernelsAreMeasuredInEveryVariantAndPrecision) {
 }
 
 TEST_F(SpeedBench, OperatorsPutStrategiesSideBySideAndShareConstants) {
-  const nlohmann::json results =
-      measured({"operators", "stvk-tet4-q1-none", "--elements", "1000"});
+  const nlohmann::json results = measured({"operators", "stvk-tet4-q1-none", "--elements", "1000"});
   std::set<std::string> kinds;
   double distorted = 0, box_shaped = 0;
   for (const nlohmann::json& record : results["records"]) {

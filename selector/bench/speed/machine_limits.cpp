@@ -110,9 +110,8 @@ PeakFlops measure_peak(void (*loop)(long, Scalar*), int vector_bytes, int thread
   std::vector<AlignedVector<Scalar>> out(static_cast<std::size_t>(threads),
                                          AlignedVector<Scalar>(64 / sizeof(Scalar)));
   const Timing time = time_calls(threads, seconds_per_figure, [&] {
-    in_threads(threads, [&](int thread) {
-      loop(peak_steps, out[static_cast<std::size_t>(thread)].data());
-    });
+    in_threads(threads,
+               [&](int thread) { loop(peak_steps, out[static_cast<std::size_t>(thread)].data()); });
   });
   const double flops = flops_per_lane * vector_bytes / sizeof(Scalar) * threads;
   return {sizeof(Scalar) == 4, threads, 1e-9 * flops / time.minimum};

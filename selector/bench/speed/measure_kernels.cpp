@@ -30,7 +30,8 @@ class KernelCalls {
     flags_.resize(static_cast<std::size_t>(group_.lanes));
     with_layout(group_, [&](auto layout) {
       for (std::size_t b = 0; b < num_batches; ++b) {
-        const std::int32_t* dofs = group_.dofs.data() + b * values / static_cast<std::size_t>(group_.dim);
+        const std::int32_t* dofs =
+            group_.dofs.data() + b * values / static_cast<std::size_t>(group_.dim);
         layout.gather(dofs, group_.num_nodes, u.data(), displacement_.data() + b * values);
         layout.gather(dofs, group_.num_nodes, v.data(), direction_.data() + b * values);
       }
@@ -85,12 +86,10 @@ void measure_table(const AssociationKernels& kernels, const KernelTable<Scalar>&
     const char* name;
     KernelFunction<Scalar> VariantTable<Scalar>::*kernel;
   };
-  static constexpr Entry entries[] = {{"energy", &VariantTable<Scalar>::energy},
-                                      {"forces", &VariantTable<Scalar>::forces},
-                                      {"product", &VariantTable<Scalar>::product},
-                                      {"linearize", &VariantTable<Scalar>::linearize},
-                                      {"apply", &VariantTable<Scalar>::apply},
-                                      {"stiffness", &VariantTable<Scalar>::stiffness}};
+  static constexpr Entry entries[] = {
+      {"energy", &VariantTable<Scalar>::energy},   {"forces", &VariantTable<Scalar>::forces},
+      {"product", &VariantTable<Scalar>::product}, {"linearize", &VariantTable<Scalar>::linearize},
+      {"apply", &VariantTable<Scalar>::apply},     {"stiffness", &VariantTable<Scalar>::stiffness}};
   // Enough elements for two batches of floats, whatever cells are cut into; boxes are affine, too.
   const Mesh mesh = make_speed_mesh(kernels.id, 256, false);
   for (std::int32_t v = 0; v < table.num_variants; ++v) {

@@ -91,9 +91,9 @@ class OperatorSpeed {
     record.minimum = 1e9 * timing.minimum;
     record.median = 1e9 * timing.median;
     count(model, record);
-    const double least = std::max(
-        record.flops / limits_.peak(record.precision == "single", record.threads),
-        record.bytes / limits_.bandwidth(record.bytes * elements, record.threads));
+    const double least =
+        std::max(record.flops / limits_.peak(record.precision == "single", record.threads),
+                 record.bytes / limits_.bandwidth(record.bytes * elements, record.threads));
     record.of_peak =
         record.flops / record.minimum / limits_.peak(record.precision == "single", record.threads);
     record.of_roofline = least / record.minimum;
@@ -120,7 +120,7 @@ class OperatorSpeed {
       }
     }
     record.geometry = geometry;
-    record.bytes = record.stored + of_vector;            // the displacement is read
+    record.bytes = record.stored + of_vector;                         // the displacement is read
     if (record.operation == "forces") record.bytes += 2 * of_vector;  // read and written
     if (record.operation == "product") record.bytes += 3 * of_vector;
     if (!is_matrix) return;
@@ -184,9 +184,10 @@ void measure_mesh(const AssociationKernels& kernels, const std::string& shape, s
         if (options.interrupted()) return;
         if (strategy == "assembled" &&
             matrix_bytes(mesh) > static_cast<double>(options.most_bytes)) {
-          options.tell(fmt::format("the assembled matrix of {} elements is left out: it may take "
-                                   "{:.1f} GB",
-                                   mesh.num_elements(), 1e-9 * matrix_bytes(mesh)));
+          options.tell(
+              fmt::format("the assembled matrix of {} elements is left out: it may take "
+                          "{:.1f} GB",
+                          mesh.num_elements(), 1e-9 * matrix_bytes(mesh)));
           continue;
         }
         speed.measure_products(strategy);

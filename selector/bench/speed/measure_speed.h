@@ -18,13 +18,14 @@ struct SpeedOptions {
   std::vector<symgen::AssociationId> associations;
   std::vector<std::filesystem::path> law_folders;
   LoaderOptions loader;
-  std::vector<std::string> precisions;   ///< "double", "single"
-  std::vector<std::string> meshes;       ///< "distorted", "box-shaped"
-  std::vector<std::size_t> elements;     ///< sizes of meshes; empty: three for each element
-  std::vector<std::string> strategies;   ///< "recompute", "two-stage", "assembled"
+  std::vector<std::string> precisions;  ///< "double", "single"
+  std::vector<std::string> meshes;      ///< "distorted", "box-shaped"
+  std::vector<std::size_t> elements;    ///< sizes of meshes; empty: three for each element
+  std::vector<std::string> strategies;  ///< "recompute", "two-stage", "assembled"
   std::vector<int> threads;
-  double seconds = 0.2;                          ///< for each figure
-  std::size_t most_bytes = std::size_t(4) << 30;  ///< meshes whose model would take more are left out
+  double seconds = 0.2;  ///< for each figure
+  std::size_t most_bytes = std::size_t(4)
+                           << 30;  ///< meshes whose model would take more are left out
   std::function<void(const std::string&)> tell;
   std::function<bool()> interrupted;
 };

@@ -130,9 +130,8 @@ SpeedResults read_speed_json(const std::filesystem::path& file) {
     }
     for (const Json& entry : all.at("records")) {
       SpeedRecord record;
-      for_each_speed_field(record, [&](const char* name, auto& member) {
-        entry.at(name).get_to(member);
-      });
+      for_each_speed_field(record,
+                           [&](const char* name, auto& member) { entry.at(name).get_to(member); });
       results.records.push_back(record);
     }
   } catch (const Json::exception& error) {

@@ -42,10 +42,9 @@ void add_limits(const MachineLimits& limits, int threads, bool single, double lo
     line.line = 1;
     const double ridge = std::clamp(peak / triad.gigabytes_per_second, low, high);
     for (const double x : {low, ridge, high}) {
-      line.points.push_back(
-          {x, std::min(peak, x * triad.gigabytes_per_second),
-           fmt::format("{}: {:.1f} GB/s\npeak: {:.1f} GFlop/s", line.name,
-                       triad.gigabytes_per_second, peak)});
+      line.points.push_back({x, std::min(peak, x * triad.gigabytes_per_second),
+                             fmt::format("{}: {:.1f} GB/s\npeak: {:.1f} GFlop/s", line.name,
+                                         triad.gigabytes_per_second, peak)});
     }
     chart.series.push_back(line);
   }
@@ -91,25 +90,28 @@ std::string roofline(const SpeedResults& results, const std::string& benchmark, 
 
 std::string html_table(const SpeedResults& results, const std::string& benchmark) {
   const bool on_mesh = benchmark == "operators";
-  std::string text = "<div class=wide><table><thead><tr><th class=text>association</th>"
-                     "<th class=text>geometry</th><th class=text>precision</th>"
-                     "<th class=text>operation</th>";
+  std::string text =
+      "<div class=wide><table><thead><tr><th class=text>association</th>"
+      "<th class=text>geometry</th><th class=text>precision</th>"
+      "<th class=text>operation</th>";
   if (on_mesh) text += "<th class=text>mesh</th><th>elements</th><th>threads</th>";
   text += "<th>ns, least</th><th>median</th><th>flops</th><th>bytes</th><th>of peak</th>";
   if (on_mesh) text += "<th>of roofline</th><th>MDoF/s</th><th>bytes stored</th>";
   text += "</tr></thead>\n<tbody>";
   for (const SpeedRecord& r : results.records) {
     if (r.benchmark != benchmark) continue;
-    text += fmt::format("<tr><td>{}</td><td class=text>{}</td><td class=text>{}</td>"
-                        "<td class=text>{}</td>",
-                        html_text(r.association), r.geometry, r.precision, operation_text(r));
+    text += fmt::format(
+        "<tr><td>{}</td><td class=text>{}</td><td class=text>{}</td>"
+        "<td class=text>{}</td>",
+        html_text(r.association), r.geometry, r.precision, operation_text(r));
     if (on_mesh) {
       text += fmt::format("<td class=text>{}</td><td>{}</td><td>{}</td>", r.mesh, r.elements,
                           r.threads);
     }
-    text += fmt::format("<td>{:.3g}</td><td>{:.3g}</td><td>{:.0f}</td><td>{:.0f}</td>"
-                        "<td>{:.0f} %</td>",
-                        r.minimum, r.median, r.flops, r.bytes, 100 * r.of_peak);
+    text += fmt::format(
+        "<td>{:.3g}</td><td>{:.3g}</td><td>{:.0f}</td><td>{:.0f}</td>"
+        "<td>{:.0f} %</td>",
+        r.minimum, r.median, r.flops, r.bytes, 100 * r.of_peak);
     if (on_mesh) {
       text += fmt::format("<td>{:.0f} %</td><td>{:.0f}</td><td>{:.0f}</td>", 100 * r.of_roofline,
                           r.mdofs(), r.stored);
@@ -140,9 +142,10 @@ std::string speed_table_head(const std::string& benchmark) {
     return fmt::format("{:32} {:8} {:7} {:10} {:>9} {:>9} {:>7} {:>8}\n", "association", "geometry",
                        "scalar", "operation", "ns least", "median", "flops", "of peak");
   }
-  return fmt::format("{:28} {:8} {:7} {:10} {:>8} {:>2} {:19} {:>8} {:>8} {:>6} {:>7} {:>6} {:>6}\n",
-                     "association", "geometry", "scalar", "mesh", "elements", "th", "operation",
-                     "ns least", "median", "bytes", "of roof", "MDoF/s", "stored");
+  return fmt::format(
+      "{:28} {:8} {:7} {:10} {:>8} {:>2} {:19} {:>8} {:>8} {:>6} {:>7} {:>6} {:>6}\n",
+      "association", "geometry", "scalar", "mesh", "elements", "th", "operation", "ns least",
+      "median", "bytes", "of roof", "MDoF/s", "stored");
 }
 
 std::string speed_table_line(const SpeedRecord& r) {

@@ -265,7 +265,8 @@ TEST(Integrators, LinearSolversAgree) {
   add_gravity(body.model, std::array{0.0, 0.0, -1.0}, body.load);
   IntegratorOptions options = options_of(implicit);
   const MotionState cg = body.after(0.2, 10, options);
-  for (const auto kind : {LinearSolverKind::cholesky, LinearSolverKind::cholesky_cg}) {
+  for (const auto kind : {LinearSolverKind::cholesky, LinearSolverKind::cholesky_cg,
+                          LinearSolverKind::incomplete_cg}) {
     options.linear_solver.kind = kind;
     const MotionState other = body.after(0.2, 10, options);
     EXPECT_LT((cg.u - other.u).norm(), 1e-8 * cg.u.norm()) << solver_name(kind);

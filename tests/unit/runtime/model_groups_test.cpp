@@ -168,20 +168,19 @@ TEST(Model, WorksInThePlane) {
                                         nullptr,
                                         nullptr,
                                         &Foundation::stiffness};
-  const KernelTable<double> table = {
-      kernel_abi_version,
-      8,
-      "foundation-tri3-q1-none",
-      "tri3",
-      "",
-      2,
-      3,
-      1,
-      1,
-      names,
-      &kernel::nodal_pass<kernel::Pack<double, 8>, 3, 2>,
-      1,
-      &variant};
+  const KernelTable<double> table = {kernel_abi_version,
+                                     8,
+                                     "foundation-tri3-q1-none",
+                                     "tri3",
+                                     "",
+                                     2,
+                                     3,
+                                     1,
+                                     1,
+                                     names,
+                                     &kernel::nodal_pass<kernel::Pack<double, 8>, 3, 2>,
+                                     1,
+                                     &variant};
   Mesh mesh;
   mesh.dim = 2;
   mesh.positions = {0, 0, 1, 0, 1, 1, 0, 1};

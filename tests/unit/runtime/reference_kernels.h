@@ -285,7 +285,8 @@ struct ReferenceKernels {
             points,
             2,
             parameter_names,
-            &kernel::nodal_pass<std::conditional_t<Lanes == 1, double, kernel::Pack<double, Lanes>>, n, 3>,
+            &kernel::nodal_pass<std::conditional_t<Lanes == 1, double, kernel::Pack<double, Lanes>>,
+                                n, 3>,
             with_box ? 2 : 1,
             variants};
   }

@@ -248,7 +248,8 @@ TEST_P(Cantilever, RefusesBadCalls) {
 
 INSTANTIATE_TEST_SUITE_P(, Cantilever,
                          testing::Values(LinearSolverKind::conjugate_gradient,
-                                         LinearSolverKind::cholesky, LinearSolverKind::cholesky_cg),
+                                         LinearSolverKind::cholesky, LinearSolverKind::cholesky_cg,
+                                         LinearSolverKind::incomplete_cg),
                          [](const testing::TestParamInfo<LinearSolverKind>& info) {
                            return std::string(solver_name(info.param));
                          });
@@ -256,9 +257,9 @@ INSTANTIATE_TEST_SUITE_P(, Cantilever,
 TEST(SolveStatic, LinearSolversAgree) {
   const Mesh mesh = bar_mesh("tet4", {10, 2, 2}, {5, 1, 1});
   const auto table = ReferenceKernels<Tet4, 8, false>::table();
-  Vector solutions[3];
+  Vector solutions[4];
   for (const auto kind : {LinearSolverKind::conjugate_gradient, LinearSolverKind::cholesky,
-                          LinearSolverKind::cholesky_cg}) {
+                          LinearSolverKind::cholesky_cg, LinearSolverKind::incomplete_cg}) {
     Model model(mesh, one_part(mesh, table), {.threads = 1});
     const Constraints constraints = clamp_left(mesh);
     Vector load = Vector::Zero(static_cast<Eigen::Index>(model.num_dofs()));
@@ -280,6 +281,7 @@ TEST(SolveStatic, LinearSolversAgree) {
   }
   EXPECT_LT((solutions[0] - solutions[1]).norm(), 1e-7 * solutions[1].norm());
   EXPECT_LT((solutions[2] - solutions[1]).norm(), 1e-7 * solutions[1].norm());
+  EXPECT_LT((solutions[3] - solutions[1]).norm(), 1e-7 * solutions[1].norm());
 }
 
 // The reference kernels of one batch of hexa8, whose energy leaves its domain a given number of

@@ -150,6 +150,7 @@ TEST(Checkpoints, KeepEveryBitOfAMotion) {
   motion.u = Vector::Random(9);
   motion.v = Vector::Constant(9, 5e-324);
   motion.a = -Vector::Zero(9);
+  motion.a_before = Vector::Random(9);
   checkpoint.motion = motion;
   const Checkpoint read = kept(checkpoint);
   EXPECT_EQ(read.fingerprint, "abc");
