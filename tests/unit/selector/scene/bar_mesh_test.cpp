@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -168,6 +169,57 @@ TEST(MidEdgeNodes, SayBetweenWhichNodesTheyLie) {
     EXPECT_EQ(node_position(mesh.positions, made[k].node), middle);
   }
   EXPECT_THROW((void)add_mid_edge_nodes(mesh, {{0, "hexa20"}}), InternalError);
+}
+
+/// The box of every bar's middle third, wide and high as the bar.
+InclusionDescription middle_third() {
+  InclusionDescription inclusion;
+  inclusion.path = "bar.inclusion[1]";
+  inclusion.box.where = "scene.toml:20";
+  inclusion.box.minimum = {1, 0, 0};
+  inclusion.box.maximum = {2, 1, 1};
+  inclusion.region = "stiff";
+  return inclusion;
+}
+
+TEST(Inclusion, TakesTheElementsWhoseMiddleItHolds) {
+  BarDescription description = bar_of({"hexa8", "tet4", "hexa20"}, {12, 2, 3});
+  const SceneMesh without = make_bar(description);
+  description.inclusions = {middle_third()};
+  const SceneMesh bar = make_bar(description);
+  ASSERT_EQ(bar.mesh.num_elements(), without.mesh.num_elements());
+  EXPECT_EQ(bar.mesh.positions, without.mesh.positions);
+  ASSERT_EQ(bar.mesh.blocks.size(), bar.blocks.size());
+  const auto stiff = std::find(bar.mesh.region_names.begin(), bar.mesh.region_names.end(), "stiff");
+  ASSERT_NE(stiff, bar.mesh.region_names.end());
+  const auto number = static_cast<std::int32_t>(stiff - bar.mesh.region_names.begin());
+  std::size_t inside = 0;
+  for (std::size_t b = 0; b < bar.mesh.blocks.size(); ++b) {
+    const ElementBlock& block = bar.mesh.blocks[b];
+    EXPECT_EQ(bar.blocks[b].association.element, block.element);
+    for (std::size_t e = 0; e < block.num_elements(); ++e) {
+      double x = 0;
+      for (const std::int32_t node : block.element_nodes(e)) {
+        x += bar.mesh.positions[3 * static_cast<std::size_t>(node)] / block.nodes_per_element;
+      }
+      EXPECT_EQ(block.region[e] == number, x >= 1 && x <= 2);
+      EXPECT_EQ(bar.blocks[b].region == "stiff", block.region[e] == number);
+      if (block.region[e] == number) ++inside;
+    }
+  }
+  EXPECT_EQ(inside, 4U * 2 * 3 * 6);  // the tetrahedra are the middle third
+}
+
+TEST(Inclusion, MustHoldAnElement) {
+  BarDescription description = bar_of({"hexa8"}, {3, 1, 1});
+  description.inclusions = {middle_third()};
+  description.inclusions[0].box.maximum = {1.2, 1, 1};
+  try {
+    (void)make_bar(description);
+    FAIL() << "the box ends before the middle of the second cell";
+  } catch (const InputError& error) {
+    expect_contains(error.what(), "scene.toml:20: bar.inclusion[1].box holds no element");
+  }
 }
 
 TEST(MixedBar, RejectsASectionThatEndsInsideACell) {
