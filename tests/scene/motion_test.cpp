@@ -279,7 +279,7 @@ TEST_F(Steps, PrescribedMotionFollowsItsHistory) {
 // every method comes to the same.
 TEST_F(Steps, TissueBreathesAroundATumour) {
   const std::string scene =
-      replaced_once(read_text_file(shipped("respiration"), "scene"), "end = 8.0", "end = 1.0");
+      replaced_once(read_text_file(shipped("respiration"), "scene"), "end = 9.0", "end = 1.0");
   std::vector<std::array<double, 3>> places;
   for (const std::string method : {"cholesky_cg", "incomplete_cg", "cg"}) {
     expect_run(replaced_once(scene, "cholesky_cg", method));
