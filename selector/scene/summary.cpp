@@ -50,8 +50,12 @@ std::vector<GroupSummary> joined(const std::vector<GroupSummary>& groups) {
     if (same == result.end()) {
       result.push_back(group);
     } else {
+      const std::size_t bytes = same->bytes_per_element * same->num_elements +
+                                group.bytes_per_element * group.num_elements;
       same->num_elements += group.num_elements;
       same->num_batches += group.num_batches;
+      same->num_shapes += group.num_shapes;
+      same->bytes_per_element = bytes / same->num_elements;
     }
   }
   return result;
@@ -72,6 +76,7 @@ Json associations_json(const RunSummary& summary) {
                   {"geometry", group.geometry},
                   {"scalar", group.scalar},
                   {"elements", group.num_elements},
+                  {"shapes", group.num_shapes},
                   {"constants_per_element", group.num_constants},
                   {"bytes_per_element", group.bytes_per_element}};
     if (const KernelOrigin* origin = origin_of(group, summary.kernels)) {
@@ -191,12 +196,13 @@ std::string vector_text(std::span<const double> vector, int precision) {
 
 std::string associations_text(const RunSummary& summary) {
   std::string text =
-      fmt::format("  {:<31} {:<9}{:<7}{:>9}{:>11}{:>15}  {}\n", "association", "geometry", "scalar",
-                  "elements", "constants", "bytes/element", "kernels");
+      fmt::format("  {:<31} {:<9}{:<7}{:>9}{:>8}{:>11}{:>15}  {}\n", "association", "geometry",
+                  "scalar", "elements", "shapes", "constants", "bytes/element", "kernels");
   for (const GroupSummary& group : joined(summary.groups)) {
-    text += fmt::format("  {:<31} {:<9}{:<7}{:>9}{:>11}{:>15}  {}\n", group.association,
-                        group.geometry, group.scalar, group.num_elements, group.num_constants,
-                        group.bytes_per_element, kernel_text(origin_of(group, summary.kernels)));
+    text += fmt::format("  {:<31} {:<9}{:<7}{:>9}{:>8}{:>11}{:>15}  {}\n", group.association,
+                        group.geometry, group.scalar, group.num_elements, group.num_shapes,
+                        group.num_constants, group.bytes_per_element,
+                        kernel_text(origin_of(group, summary.kernels)));
   }
   return text;
 }
