@@ -65,6 +65,8 @@ int run_speed(SpeedCommand command, const Context& context) {
   AssociationFilter filter;
   filter.patterns = command.patterns.empty() ? usual_patterns() : command.patterns;
   options.associations = find_associations(filter, options.law_folders);
+  // A mistake in a law shall show before anything is measured.
+  for (const symgen::AssociationId& id : options.associations) (void)read_law_of(id, context);
   if (options.threads.empty()) {
     options.threads = {1};
     if (usable_threads(context) > 1) options.threads.push_back(usable_threads(context));
