@@ -105,8 +105,7 @@ ElementGroup<Scalar> make_element_group(const Mesh& mesh,
   group.positions.resize(group.num_sets * lanes * nodes * dim);
   std::vector<bool> is_known(group.num_sets, false);
   for (std::size_t batch = 0; batch < group.num_batches; ++batch) {
-    const std::size_t set =
-        group.shape.empty() ? batch : static_cast<std::size_t>(group.shape[batch]);
+    const std::size_t set = group.set_of(batch);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       const std::size_t k = batch * lanes + lane;
       const std::size_t e = static_cast<std::size_t>(source.elements[order[k]]);

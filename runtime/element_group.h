@@ -64,9 +64,13 @@ struct ElementGroup {
   }
   [[nodiscard]] std::size_t bytes_per_element() const;
 
+  /// The batch's set of positions and constants.
+  [[nodiscard]] std::size_t set_of(std::size_t batch) const {
+    return shape.empty() ? batch : static_cast<std::size_t>(shape[batch]);
+  }
   /// Arguments for a kernel on one batch: positions, parameters, constants, state.
   [[nodiscard]] KernelArguments<Scalar> arguments(std::size_t batch) const {
-    return arguments_of_set(shape.empty() ? batch : static_cast<std::size_t>(shape[batch]), batch);
+    return arguments_of_set(set_of(batch), batch);
   }
   [[nodiscard]] KernelArguments<Scalar> arguments_of_set(std::size_t set, std::size_t batch) const;
 

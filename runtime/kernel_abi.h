@@ -86,8 +86,7 @@ struct NodalPass {
   const double* displacement = nullptr;  ///< null: not read
   const double* direction = nullptr;     ///< likewise
   double scale = 1;
-  /// Nothing beyond the place of end_dof is touched; a `sum` that ends before it needs room for one
-  /// number behind its last node.
+  /// Only the numbers of the elements' nodes are touched.
   double* sum = nullptr;
   std::int32_t first_dof = 0;
 };

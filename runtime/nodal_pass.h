@@ -24,8 +24,7 @@ struct Triple {
 /// @param dofs  of the nodes
 template <int lanes>
 Triple<lanes> load_nodes(const std::int32_t* dofs, const double* u);
-/// sum[dof + i] += scale * value of each lane, one lane after the other: lanes may share nodes. The
-/// double behind each node is read and written, as it was.
+/// sum[dof + i] += scale * value of each lane, one lane after the other: lanes may share nodes.
 template <int lanes>
 void add_to_nodes(const std::int32_t* dofs, const Triple<lanes>& value, double scale, double* sum);
 
@@ -250,7 +249,7 @@ std::uint32_t nodal_pass(const NodalPass<Scalar<V>>& pass) {
     }
     const std::int32_t* const dofs =
         pass.dofs + batch * static_cast<std::size_t>(num_nodes * lanes);
-    // Vectors reach one number behind a node: not where that is the vectors' end.
+    // Loads by vectors reach one number behind a node: not where that is the vectors' end.
     std::int32_t last = 0;
     for (int k = 0; k < num_nodes * lanes; ++k) last = dofs[k] > last ? dofs[k] : last;
     const bool is_inside = last + dim < pass.end_dof;
@@ -266,7 +265,7 @@ std::uint32_t nodal_pass(const NodalPass<Scalar<V>>& pass) {
     pass.kernel(arguments);
     const std::size_t left = pass.num_elements - batch * static_cast<std::size_t>(lanes);
     if constexpr (by_vectors) {
-      if (is_inside && left >= static_cast<std::size_t>(lanes)) {
+      if (left >= static_cast<std::size_t>(lanes)) {
         add_packs<num_nodes>(dofs, output, pass.scale, sum);
         continue;
       }

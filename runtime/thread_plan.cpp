@@ -78,10 +78,8 @@ std::vector<ThreadShare> plan_threads(const std::vector<ElementGroup<Scalar>>& g
 NodeAccumulator::NodeAccumulator(const std::vector<ThreadShare>& shares, int max_values_per_node) {
   if (shares.size() == 1) return;
   for (const ThreadShare& share : shares) {
-    // One more than there are: NodalPass reaches behind a node.
     arrays_.emplace_back(static_cast<std::size_t>(share.node_end - share.node_begin) *
-                             static_cast<std::size_t>(max_values_per_node) +
-                         1);
+                         static_cast<std::size_t>(max_values_per_node));
   }
 }
 

@@ -177,16 +177,7 @@ ResultsDatabase::ResultsDatabase(const std::filesystem::path& file) {
 ResultsDatabase::~ResultsDatabase() = default;
 
 void ResultsDatabase::begin_run(const BenchRun& run) {
-  SqliteStatement insert(
-      connection_->sqlite,
-      "INSERT INTO runs (started, processor, cores, compiler, version) VALUES (?, ?, ?, ?, ?)");
-  insert.bind(run.started);
-  insert.bind(run.processor);
-  insert.bind(run.cores);
-  insert.bind(run.compiler);
-  insert.bind(run.version);
-  insert.step();
-  run_ = sqlite3_last_insert_rowid(connection_->sqlite.get());
+  run_ = insert_run(connection_->sqlite, run);
 }
 
 void ResultsDatabase::insert(const WorkPrecisionPoint& point, const std::string& scene_hash) {

@@ -97,4 +97,17 @@ void SqliteStatement::read(std::size_t& number) {
   number = static_cast<std::size_t>(wide);
 }
 
+std::int64_t insert_run(const SqliteConnection& connection, const BenchRun& run) {
+  SqliteStatement insert(
+      connection,
+      "INSERT INTO runs (started, processor, cores, compiler, version) VALUES (?, ?, ?, ?, ?)");
+  insert.bind(run.started);
+  insert.bind(run.processor);
+  insert.bind(run.cores);
+  insert.bind(run.compiler);
+  insert.bind(run.version);
+  insert.step();
+  return sqlite3_last_insert_rowid(connection.get());
+}
+
 }  // namespace elastogen::selector

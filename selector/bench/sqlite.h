@@ -9,6 +9,8 @@
 #include <memory>
 #include <string>
 
+#include "selector/bench/bench_run.h"
+
 namespace elastogen::selector {
 
 /// An open database.
@@ -68,5 +70,9 @@ class SqliteStatement {
   int next_parameter_ = 1;
   int next_column_ = 0;
 };
+
+/// Notes a run in the table `runs`, whose columns are `id` and the members of BenchRun; returns its
+/// id.
+[[nodiscard]] std::int64_t insert_run(const SqliteConnection& connection, const BenchRun& run);
 
 }  // namespace elastogen::selector

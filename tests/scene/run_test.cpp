@@ -126,7 +126,8 @@ TEST_P(Method, GivesTheReactionToAPrescribedStretchByHand) {
   EXPECT_NEAR(probes[1]["displacement"][0], 0.2, 1e-15);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Method, testing::Values("cg", "cholesky", "cholesky_cg", "incomplete_cg"));
+INSTANTIATE_TEST_SUITE_P(All, Method,
+                         testing::Values("cg", "cholesky", "cholesky_cg", "incomplete_cg"));
 
 struct PrecisionOfScene {
   const char* precision;

@@ -7,6 +7,7 @@
 
 #include "runtime/error.h"
 #include "selector/bench/sqlite.h"
+#include "selector/io/atomic_file.h"
 #include "selector/support/files.h"
 
 namespace elastogen::selector {
@@ -55,19 +56,11 @@ struct SpeedDatabase::Connection {
 };
 
 SpeedDatabase::SpeedDatabase(const std::filesystem::path& file, const BenchRun& run) {
-  std::filesystem::create_directories(file.parent_path());
+  create_folder(file.parent_path());
   connection_.reset(new Connection{SqliteConnection(file)});
   SqliteConnection& sqlite = connection_->sqlite;
   sqlite.execute(schema().c_str());
-  SqliteStatement insert(
-      sqlite, "INSERT INTO runs (started, processor, cores, compiler, version) VALUES (?,?,?,?,?)");
-  insert.bind(run.started);
-  insert.bind(run.processor);
-  insert.bind(run.cores);
-  insert.bind(run.compiler);
-  insert.bind(run.version);
-  insert.step();
-  connection_->run = sqlite3_last_insert_rowid(sqlite.get());
+  connection_->run = insert_run(sqlite, run);
 }
 
 SpeedDatabase::~SpeedDatabase() = default;

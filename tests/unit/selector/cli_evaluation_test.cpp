@@ -59,8 +59,19 @@ const KernelTable<double>& spring_table() {
   static const VariantTable<double> variants[] = {
       {"general", 1, 0, false, constants<Lanes>, nullptr, energy<Lanes>, forces<Lanes>,
        product<Lanes>, nullptr, nullptr, stiffness<Lanes>}};
-  static const KernelTable<double> table = {
-      kernel_abi_version, Lanes, "spring-tet4-q1-none", "tet4", "", 3, 4, 1, 1, names, nullptr, 1, variants};
+  static const KernelTable<double> table = {kernel_abi_version,
+                                            Lanes,
+                                            "spring-tet4-q1-none",
+                                            "tet4",
+                                            "",
+                                            3,
+                                            4,
+                                            1,
+                                            1,
+                                            names,
+                                            nullptr,
+                                            1,
+                                            variants};
   return table;
 }
 
@@ -92,9 +103,8 @@ TEST(EvaluateKernels, CallsAPackTable) { expect_spring_results<most_lanes<double
 
 TEST(EvaluateKernels, FindsALaneThatDisagrees) {
   break_last_lane = true;
-  EXPECT_THROW(
-      (void)evaluate_kernels(spring_table<most_lanes<double>>(), "general", spring_case()),
-      InternalError);
+  EXPECT_THROW((void)evaluate_kernels(spring_table<most_lanes<double>>(), "general", spring_case()),
+               InternalError);
   break_last_lane = false;
 }
 
