@@ -12,14 +12,14 @@
 // hash         b8d1a7f06c8e890347146c8d7429df24
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
-// general  constants             534         80      0         192      640          1
+// general  constants             582         80      0         192      640          1
 // general  geometry             1184          0      0         192      192          1
-// general  energy                801         80      0         832        8          1
-// general  forces               1402         80      0         832      192          1
-// general  product              1402         80      0         832      192          1
+// general  energy                805         80      0         832        8          1
+// general  forces               1396         80      0         832      192          1
+// general  product              1396         80      0         832      192          1
 // general  linearize               0          0      0           0        0          1
-// general  apply                1402         80      0         832      192          1
-// general  stiffness           33648          0      0           0     4608          1
+// general  apply                1396         80      0         832      192          1
+// general  stiffness           33504          0      0           0     4608          1
 // box      constants               8          4      0          48       32          1
 // box      geometry               29          0      0          48      192          1
 // box      energy                409          4      0         224        8          1
@@ -45,342 +45,417 @@ inline constexpr int num_constants = 80;
 inline constexpr int num_state = 0;
 inline constexpr bool reads_positions = false;
 
-/// constants: 534 flops per element
+/// gradients in reference coordinates at all points, of nodal values u: 246 flops
+template <class V>
+[[gnu::noinline]] void interpolate([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V*
+    out, [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  const V t0 = u[0] - u[3];
+  const V t1 = u[6] - u[9];
+  const V t2 = t0 - S(0.2679491924311227) * t1;
+  const V t3 = u[18] - u[21];
+  const V t4 = u[12] - u[15];
+  const V t5 = t4 - S(0.2679491924311227) * t3;
+  const V t6 = t2 + S(0.2679491924311227) * t5;
+  const V t7 = u[3] - u[6];
+  const V t8 = u[0] - u[9];
+  const V t9 = t8 + S(0.2679491924311227) * t7;
+  const V t10 = u[12] - u[21];
+  const V t11 = u[15] - u[18];
+  const V t12 = t10 + S(0.2679491924311227) * t11;
+  const V t13 = t9 + S(0.2679491924311227) * t12;
+  const V t14 = u[0] - u[12];
+  const V t15 = u[3] - u[15];
+  const V t16 = t14 + S(0.2679491924311227) * t15;
+  const V t17 = u[6] - u[18];
+  const V t18 = u[9] - u[21];
+  const V t19 = t17 + S(3.7320508075688772) * t18;
+  const V t20 = t16 + S(0.071796769724490825) * t19;
+  const V t21 = u[1] - u[4];
+  const V t22 = u[7] - u[10];
+  const V t23 = t21 - S(0.2679491924311227) * t22;
+  const V t24 = u[19] - u[22];
+  const V t25 = u[13] - u[16];
+  const V t26 = t25 - S(0.2679491924311227) * t24;
+  const V t27 = t23 + S(0.2679491924311227) * t26;
+  const V t28 = u[16] - u[19];
+  const V t29 = u[13] - u[22];
+  const V t30 = t29 + S(0.2679491924311227) * t28;
+  const V t31 = u[1] - u[10];
+  const V t32 = u[4] - u[7];
+  const V t33 = t31 + S(0.2679491924311227) * t32;
+  const V t34 = t33 + S(0.2679491924311227) * t30;
+  const V t35 = u[7] - u[19];
+  const V t36 = u[10] - u[22];
+  const V t37 = t35 + S(3.7320508075688772) * t36;
+  const V t38 = u[1] - u[13];
+  const V t39 = u[4] - u[16];
+  const V t40 = t38 + S(0.2679491924311227) * t39;
+  const V t41 = t40 + S(0.071796769724490825) * t37;
+  const V t42 = u[20] - u[23];
+  const V t43 = u[14] - u[17];
+  const V t44 = t43 - S(0.2679491924311227) * t42;
+  const V t45 = u[2] - u[5];
+  const V t46 = u[8] - u[11];
+  const V t47 = t45 - S(0.2679491924311227) * t46;
+  const V t48 = t47 + S(0.2679491924311227) * t44;
+  const V t49 = u[5] - u[8];
+  const V t50 = u[2] - u[11];
+  const V t51 = t50 + S(0.2679491924311227) * t49;
+  const V t52 = u[17] - u[20];
+  const V t53 = u[14] - u[23];
+  const V t54 = t53 + S(0.2679491924311227) * t52;
+  const V t55 = t51 + S(0.2679491924311227) * t54;
+  const V t56 = u[8] - u[20];
+  const V t57 = u[11] - u[23];
+  const V t58 = t56 + S(3.7320508075688772) * t57;
+  const V t59 = u[2] - u[14];
+  const V t60 = u[5] - u[17];
+  const V t61 = t59 + S(0.2679491924311227) * t60;
+  const V t62 = t61 + S(0.071796769724490825) * t58;
+  const V t63 = t8 + S(3.7320508075688772) * t7;
+  const V t64 = t10 + S(3.7320508075688772) * t11;
+  const V t65 = t63 + S(0.2679491924311227) * t64;
+  const V t66 = t14 + S(3.7320508075688772) * t15;
+  const V t67 = t17 + S(0.2679491924311227) * t18;
+  const V t68 = t66 + t67;
+  const V t69 = t29 + S(3.7320508075688772) * t28;
+  const V t70 = t31 + S(3.7320508075688772) * t32;
+  const V t71 = t70 + S(0.2679491924311227) * t69;
+  const V t72 = t35 + S(0.2679491924311227) * t36;
+  const V t73 = t38 + S(3.7320508075688772) * t39;
+  const V t74 = t72 + t73;
+  const V t75 = t50 + S(3.7320508075688772) * t49;
+  const V t76 = t53 + S(3.7320508075688772) * t52;
+  const V t77 = t75 + S(0.2679491924311227) * t76;
+  const V t78 = t56 + S(0.2679491924311227) * t57;
+  const V t79 = t59 + S(3.7320508075688772) * t60;
+  const V t80 = t78 + t79;
+  const V t81 = t0 - S(3.7320508075688772) * t1;
+  const V t82 = t4 - S(3.7320508075688772) * t3;
+  const V t83 = t81 + S(0.2679491924311227) * t82;
+  const V t84 = t16 + t19;
+  const V t85 = t21 - S(3.7320508075688772) * t22;
+  const V t86 = t25 - S(3.7320508075688772) * t24;
+  const V t87 = t85 + S(0.2679491924311227) * t86;
+  const V t88 = t37 + t40;
+  const V t89 = t43 - S(3.7320508075688772) * t42;
+  const V t90 = t45 - S(3.7320508075688772) * t46;
+  const V t91 = t90 + S(0.2679491924311227) * t89;
+  const V t92 = t58 + t61;
+  const V t93 = t66 + S(13.928203230275509) * t67;
+  const V t94 = t73 + S(13.928203230275509) * t72;
+  const V t95 = t79 + S(13.928203230275509) * t78;
+  const V t96 = t2 + S(3.7320508075688772) * t5;
+  const V t97 = t9 + S(3.7320508075688772) * t12;
+  const V t98 = t23 + S(3.7320508075688772) * t26;
+  const V t99 = t33 + S(3.7320508075688772) * t30;
+  const V t100 = t47 + S(3.7320508075688772) * t44;
+  const V t101 = t51 + S(3.7320508075688772) * t54;
+  const V t102 = t63 + S(3.7320508075688772) * t64;
+  const V t103 = t70 + S(3.7320508075688772) * t69;
+  const V t104 = t75 + S(3.7320508075688772) * t76;
+  const V t105 = t81 + S(3.7320508075688772) * t82;
+  const V t106 = t85 + S(3.7320508075688772) * t86;
+  const V t107 = t90 + S(3.7320508075688772) * t89;
+  out[0] = -S(0.31100423396407312) * t6;
+  out[1] = -S(0.31100423396407312) * t13;
+  out[2] = -S(0.31100423396407312) * t20;
+  out[3] = -S(0.31100423396407312) * t27;
+  out[4] = -S(0.31100423396407312) * t34;
+  out[5] = -S(0.31100423396407312) * t41;
+  out[6] = -S(0.31100423396407312) * t48;
+  out[7] = -S(0.31100423396407312) * t55;
+  out[8] = -S(0.31100423396407312) * t62;
+  out[9] = -S(0.31100423396407312) * t6;
+  out[10] = -S(0.083333333333333329) * t65;
+  out[11] = -S(0.083333333333333329) * t68;
+  out[12] = -S(0.31100423396407312) * t27;
+  out[13] = -S(0.083333333333333329) * t71;
+  out[14] = -S(0.083333333333333329) * t74;
+  out[15] = -S(0.31100423396407312) * t48;
+  out[16] = -S(0.083333333333333329) * t77;
+  out[17] = -S(0.083333333333333329) * t80;
+  out[18] = -S(0.083333333333333329) * t83;
+  out[19] = -S(0.31100423396407312) * t13;
+  out[20] = -S(0.083333333333333329) * t84;
+  out[21] = -S(0.083333333333333329) * t87;
+  out[22] = -S(0.31100423396407312) * t34;
+  out[23] = -S(0.083333333333333329) * t88;
+  out[24] = -S(0.083333333333333329) * t91;
+  out[25] = -S(0.31100423396407312) * t55;
+  out[26] = -S(0.083333333333333329) * t92;
+  out[27] = -S(0.083333333333333329) * t83;
+  out[28] = -S(0.083333333333333329) * t65;
+  out[29] = -S(0.022329099369260225) * t93;
+  out[30] = -S(0.083333333333333329) * t87;
+  out[31] = -S(0.083333333333333329) * t71;
+  out[32] = -S(0.022329099369260225) * t94;
+  out[33] = -S(0.083333333333333329) * t91;
+  out[34] = -S(0.083333333333333329) * t77;
+  out[35] = -S(0.022329099369260225) * t95;
+  out[36] = -S(0.083333333333333329) * t96;
+  out[37] = -S(0.083333333333333329) * t97;
+  out[38] = -S(0.31100423396407312) * t20;
+  out[39] = -S(0.083333333333333329) * t98;
+  out[40] = -S(0.083333333333333329) * t99;
+  out[41] = -S(0.31100423396407312) * t41;
+  out[42] = -S(0.083333333333333329) * t100;
+  out[43] = -S(0.083333333333333329) * t101;
+  out[44] = -S(0.31100423396407312) * t62;
+  out[45] = -S(0.083333333333333329) * t96;
+  out[46] = -S(0.022329099369260225) * t102;
+  out[47] = -S(0.083333333333333329) * t68;
+  out[48] = -S(0.083333333333333329) * t98;
+  out[49] = -S(0.022329099369260225) * t103;
+  out[50] = -S(0.083333333333333329) * t74;
+  out[51] = -S(0.083333333333333329) * t100;
+  out[52] = -S(0.022329099369260225) * t104;
+  out[53] = -S(0.083333333333333329) * t80;
+  out[54] = -S(0.022329099369260225) * t105;
+  out[55] = -S(0.083333333333333329) * t97;
+  out[56] = -S(0.083333333333333329) * t84;
+  out[57] = -S(0.022329099369260225) * t106;
+  out[58] = -S(0.083333333333333329) * t99;
+  out[59] = -S(0.083333333333333329) * t88;
+  out[60] = -S(0.022329099369260225) * t107;
+  out[61] = -S(0.083333333333333329) * t101;
+  out[62] = -S(0.083333333333333329) * t92;
+  out[63] = -S(0.022329099369260225) * t105;
+  out[64] = -S(0.022329099369260225) * t102;
+  out[65] = -S(0.022329099369260225) * t93;
+  out[66] = -S(0.022329099369260225) * t106;
+  out[67] = -S(0.022329099369260225) * t103;
+  out[68] = -S(0.022329099369260225) * t94;
+  out[69] = -S(0.022329099369260225) * t107;
+  out[70] = -S(0.022329099369260225) * t104;
+  out[71] = -S(0.022329099369260225) * t95;
+}
+
+/// nodal values of the fluxes u at all points: 270 flops
+template <class V>
+[[gnu::noinline]] void integrate([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V*
+    out, [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  const V t0 = u[0] + u[9];
+  const V t1 = u[36] + u[45];
+  const V t2 = t1 + S(3.7320508075688772) * t0;
+  const V t3 = u[54] + u[63];
+  const V t4 = u[18] + u[27];
+  const V t5 = t3 + S(3.7320508075688772) * t4;
+  const V t6 = t5 + S(3.7320508075688772) * t2;
+  const V t7 = u[10] + u[28];
+  const V t8 = u[46] + u[64];
+  const V t9 = t8 + S(3.7320508075688772) * t7;
+  const V t10 = u[1] + u[19];
+  const V t11 = u[37] + u[55];
+  const V t12 = t11 + S(3.7320508075688772) * t10;
+  const V t13 = t9 + S(3.7320508075688772) * t12;
+  const V t14 = u[2] + u[38];
+  const V t15 = u[20] + u[56];
+  const V t16 = t15 + S(3.7320508075688772) * t14;
+  const V t17 = u[29] + u[65];
+  const V t18 = u[11] + u[47];
+  const V t19 = t17 + S(3.7320508075688772) * t18;
+  const V t20 = t19 + S(3.7320508075688772) * t16;
+  const V t21 = t6 + t13 + t20;
+  const V t22 = u[49] + u[67];
+  const V t23 = u[13] + u[31];
+  const V t24 = t22 + S(3.7320508075688772) * t23;
+  const V t25 = u[40] + u[58];
+  const V t26 = u[4] + u[22];
+  const V t27 = t25 + S(3.7320508075688772) * t26;
+  const V t28 = t24 + S(3.7320508075688772) * t27;
+  const V t29 = u[5] + u[41];
+  const V t30 = u[23] + u[59];
+  const V t31 = t30 + S(3.7320508075688772) * t29;
+  const V t32 = u[32] + u[68];
+  const V t33 = u[14] + u[50];
+  const V t34 = t32 + S(3.7320508075688772) * t33;
+  const V t35 = t34 + S(3.7320508075688772) * t31;
+  const V t36 = u[57] + u[66];
+  const V t37 = u[21] + u[30];
+  const V t38 = t36 + S(3.7320508075688772) * t37;
+  const V t39 = u[39] + u[48];
+  const V t40 = u[3] + u[12];
+  const V t41 = t39 + S(3.7320508075688772) * t40;
+  const V t42 = t38 + S(3.7320508075688772) * t41;
+  const V t43 = t28 + t35 + t42;
+  const V t44 = u[6] + u[15];
+  const V t45 = u[42] + u[51];
+  const V t46 = t45 + S(3.7320508075688772) * t44;
+  const V t47 = u[24] + u[33];
+  const V t48 = u[60] + u[69];
+  const V t49 = t48 + S(3.7320508075688772) * t47;
+  const V t50 = t49 + S(3.7320508075688772) * t46;
+  const V t51 = u[43] + u[61];
+  const V t52 = u[7] + u[25];
+  const V t53 = t51 + S(3.7320508075688772) * t52;
+  const V t54 = u[52] + u[70];
+  const V t55 = u[16] + u[34];
+  const V t56 = t54 + S(3.7320508075688772) * t55;
+  const V t57 = t56 + S(3.7320508075688772) * t53;
+  const V t58 = u[17] + u[53];
+  const V t59 = u[35] + u[71];
+  const V t60 = t59 + S(3.7320508075688772) * t58;
+  const V t61 = u[8] + u[44];
+  const V t62 = u[26] + u[62];
+  const V t63 = t62 + S(3.7320508075688772) * t61;
+  const V t64 = t60 + S(3.7320508075688772) * t63;
+  const V t65 = t50 + t57 + t64;
+  const V t66 = t9 + S(0.2679491924311227) * t12;
+  const V t67 = t19 + S(0.2679491924311227) * t16;
+  const V t68 = t6 - S(3.7320508075688772) * (t66 + t67);
+  const V t69 = t24 + S(0.2679491924311227) * t27;
+  const V t70 = t34 + S(0.2679491924311227) * t31;
+  const V t71 = t42 - S(3.7320508075688772) * (t69 + t70);
+  const V t72 = t56 + S(0.2679491924311227) * t53;
+  const V t73 = t60 + S(0.2679491924311227) * t63;
+  const V t74 = t50 - S(3.7320508075688772) * (t72 + t73);
+  const V t75 = t5 + S(0.2679491924311227) * t2;
+  const V t76 = t15 + S(0.2679491924311227) * t14;
+  const V t77 = t17 + S(0.2679491924311227) * t18;
+  const V t78 = t77 + S(0.2679491924311227) * t76;
+  const V t79 = t66 + t75 - S(3.7320508075688772) * t78;
+  const V t80 = t30 + S(0.2679491924311227) * t29;
+  const V t81 = t32 + S(0.2679491924311227) * t33;
+  const V t82 = t81 + S(0.2679491924311227) * t80;
+  const V t83 = t38 + S(0.2679491924311227) * t41;
+  const V t84 = t69 + t83 - S(3.7320508075688772) * t82;
+  const V t85 = t49 + S(0.2679491924311227) * t46;
+  const V t86 = t59 + S(0.2679491924311227) * t58;
+  const V t87 = t62 + S(0.2679491924311227) * t61;
+  const V t88 = t86 + S(0.2679491924311227) * t87;
+  const V t89 = t72 + t85 - S(3.7320508075688772) * t88;
+  const V t90 = t77 + S(3.7320508075688772) * t76;
+  const V t91 = t13 - S(3.7320508075688772) * (t75 + t90);
+  const V t92 = t81 + S(3.7320508075688772) * t80;
+  const V t93 = t28 - S(3.7320508075688772) * (t83 + t92);
+  const V t94 = t86 + S(3.7320508075688772) * t87;
+  const V t95 = t57 - S(3.7320508075688772) * (t85 + t94);
+  const V t96 = t1 + S(0.2679491924311227) * t0;
+  const V t97 = t3 + S(0.2679491924311227) * t4;
+  const V t98 = t97 + S(3.7320508075688772) * t96;
+  const V t99 = t8 + S(0.2679491924311227) * t7;
+  const V t100 = t11 + S(0.2679491924311227) * t10;
+  const V t101 = t99 + S(3.7320508075688772) * t100;
+  const V t102 = t20 - S(3.7320508075688772) * (t98 + t101);
+  const V t103 = t22 + S(0.2679491924311227) * t23;
+  const V t104 = t25 + S(0.2679491924311227) * t26;
+  const V t105 = t103 + S(3.7320508075688772) * t104;
+  const V t106 = t36 + S(0.2679491924311227) * t37;
+  const V t107 = t39 + S(0.2679491924311227) * t40;
+  const V t108 = t106 + S(3.7320508075688772) * t107;
+  const V t109 = t35 - S(3.7320508075688772) * (t105 + t108);
+  const V t110 = t45 + S(0.2679491924311227) * t44;
+  const V t111 = t48 + S(0.2679491924311227) * t47;
+  const V t112 = t111 + S(3.7320508075688772) * t110;
+  const V t113 = t51 + S(0.2679491924311227) * t52;
+  const V t114 = t54 + S(0.2679491924311227) * t55;
+  const V t115 = t114 + S(3.7320508075688772) * t113;
+  const V t116 = t64 - S(3.7320508075688772) * (t112 + t115);
+  const V t117 = t99 + S(0.2679491924311227) * t100;
+  const V t118 = t67 + t98 - S(3.7320508075688772) * t117;
+  const V t119 = t103 + S(0.2679491924311227) * t104;
+  const V t120 = t70 + t108 - S(3.7320508075688772) * t119;
+  const V t121 = t114 + S(0.2679491924311227) * t113;
+  const V t122 = t73 + t112 - S(3.7320508075688772) * t121;
+  const V t123 = t97 + S(0.2679491924311227) * t96;
+  const V t124 = t78 + t117 + t123;
+  const V t125 = t106 + S(0.2679491924311227) * t107;
+  const V t126 = t82 + t119 + t125;
+  const V t127 = t111 + S(0.2679491924311227) * t110;
+  const V t128 = t88 + t121 + t127;
+  const V t129 = t90 + t101 - S(3.7320508075688772) * t123;
+  const V t130 = t92 + t105 - S(3.7320508075688772) * t125;
+  const V t131 = t94 + t115 - S(3.7320508075688772) * t127;
+  out[0] = -S(0.022329099369260225) * t21;
+  out[1] = -S(0.022329099369260225) * t43;
+  out[2] = -S(0.022329099369260225) * t65;
+  out[3] = S(0.022329099369260225) * t68;
+  out[4] = S(0.022329099369260225) * t71;
+  out[5] = S(0.022329099369260225) * t74;
+  out[6] = S(0.083333333333333329) * t79;
+  out[7] = S(0.083333333333333329) * t84;
+  out[8] = S(0.083333333333333329) * t89;
+  out[9] = S(0.022329099369260225) * t91;
+  out[10] = S(0.022329099369260225) * t93;
+  out[11] = S(0.022329099369260225) * t95;
+  out[12] = S(0.022329099369260225) * t102;
+  out[13] = S(0.022329099369260225) * t109;
+  out[14] = S(0.022329099369260225) * t116;
+  out[15] = S(0.083333333333333329) * t118;
+  out[16] = S(0.083333333333333329) * t120;
+  out[17] = S(0.083333333333333329) * t122;
+  out[18] = S(0.31100423396407312) * t124;
+  out[19] = S(0.31100423396407312) * t126;
+  out[20] = S(0.31100423396407312) * t128;
+  out[21] = S(0.083333333333333329) * t129;
+  out[22] = S(0.083333333333333329) * t130;
+  out[23] = S(0.083333333333333329) * t131;
+}
+
+/// energy of the densities u at all points: 7 flops
+template <class V>
+[[gnu::noinline]] void weigh([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
+    [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  const V t0 = u[0] + u[1] + u[2] + u[3] + u[4] + u[5] + u[6] + u[7];
+  out[0] = t0;
+}
+
+/// constants: 42 flops per element and point
+template <class V>
+inline void constants_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V*
+    out, [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  const V t2 = x[4] * x[6] - x[3] * x[7];
+  const V t6 = x[3] * x[8] - x[5] * x[6];
+  const V t10 = x[5] * x[7] - x[4] * x[8];
+  const V t12 = x[2] * t2 + x[1] * t6 + x[0] * t10;
+  const V t13 = S(1) / t12;
+  const V t14 = t10 * t13;
+  const V t15 = t6 * t13;
+  const V t16 = t2 * t13;
+  const V t19 = x[1] * x[8] - x[2] * x[7];
+  const V t20 = t13 * t19;
+  const V t23 = x[2] * x[6] - x[0] * x[8];
+  const V t24 = t13 * t23;
+  const V t27 = x[0] * x[7] - x[1] * x[6];
+  const V t28 = t13 * t27;
+  const V t31 = x[2] * x[4] - x[1] * x[5];
+  const V t32 = t13 * t31;
+  const V t35 = x[0] * x[5] - x[2] * x[3];
+  const V t36 = t13 * t35;
+  const V t39 = x[1] * x[3] - x[0] * x[4];
+  const V t40 = t13 * t39;
+  out[0] = t12;
+  out[1] = t14;
+  out[2] = t15;
+  out[3] = t16;
+  out[4] = t20;
+  out[5] = t24;
+  out[6] = t28;
+  out[7] = t32;
+  out[8] = t36;
+  out[9] = t40;
+}
+
+/// constants: 582 flops per element
 template <class V>
 inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
   using S [[maybe_unused]] = kernel::Scalar<V>;
   [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
-  const V t0 = x[10] - x[22];
-  const V t1 = x[4] - x[16];
-  const V t2 = t0 + t1;
-  const V t3 = x[1] - x[13];
-  const V t4 = x[7] - x[19];
-  const V t5 = t3 + S(0.2679491924311227) * t2 + S(0.071796769724490825) * t4;
-  const V t6 = x[2] - x[11];
-  const V t7 = x[14] - x[23];
-  const V t8 = x[5] - x[8];
-  const V t9 = t7 + t8;
-  const V t10 = x[17] - x[20];
-  const V t11 = t6 + S(0.2679491924311227) * t9 + S(0.071796769724490825) * t10;
-  const V t13 = x[19] - x[16];
-  const V t14 = x[13] - x[22];
-  const V t15 = x[7] - x[4];
-  const V t16 = t15 - t14;
-  const V t17 = x[1] - x[10];
-  const V t18 = t17 - S(0.071796769724490825) * t13 - S(0.2679491924311227) * t16;
-  const V t19 = x[20] - x[8];
-  const V t20 = x[11] - x[23];
-  const V t21 = x[17] - x[5];
-  const V t22 = t21 - t20;
-  const V t23 = x[2] - x[14];
-  const V t24 = t23 - S(0.071796769724490825) * t19 - S(0.2679491924311227) * t22;
-  const V t26 = t5 * t11 - t18 * t24;
-  const V t27 = x[0] - x[3];
-  const V t28 = x[12] - x[15];
-  const V t29 = x[6] - x[9];
-  const V t30 = t29 - t28;
-  const V t31 = x[18] - x[21];
-  const V t32 = t27 - S(0.2679491924311227) * t30 - S(0.071796769724490825) * t31;
-  const V t34 = x[3] - x[15];
-  const V t35 = x[21] - x[9];
-  const V t36 = t34 - t35;
-  const V t37 = x[0] - x[12];
-  const V t38 = x[18] - x[6];
-  const V t39 = t37 + S(0.2679491924311227) * t36 - S(0.071796769724490825) * t38;
-  const V t40 = x[2] - x[5];
-  const V t41 = x[20] - x[23];
-  const V t42 = x[17] - x[14];
-  const V t43 = x[11] - x[8];
-  const V t44 = t43 - t42;
-  const V t45 = t40 - S(0.071796769724490825) * t41 + S(0.2679491924311227) * t44;
-  const V t47 = x[1] - x[4];
-  const V t48 = x[19] - x[22];
-  const V t49 = x[7] - x[10];
-  const V t50 = x[13] - x[16];
-  const V t51 = t49 - t50;
-  const V t52 = t47 - S(0.071796769724490825) * t48 - S(0.2679491924311227) * t51;
-  const V t54 = t18 * t45 - t11 * t52;
-  const V t58 = t24 * t52 - t5 * t45;
-  const V t59 = x[0] - x[9];
-  const V t60 = x[18] - x[15];
-  const V t61 = x[21] - x[12];
-  const V t62 = x[3] - x[6];
-  const V t63 = t62 - t61;
-  const V t64 = t59 - S(0.071796769724490825) * t60 + S(0.2679491924311227) * t63;
-  const V t66 = t26 * t32 + t39 * t54 + t58 * t64;
-  const V t67 = S(1) / t66;
-  const V t68 = t26 * t67;
-  const V t69 = t58 * t67;
-  const V t70 = t54 * t67;
-  const V t73 = t24 * t64 - t11 * t39;
-  const V t74 = t67 * t73;
-  const V t77 = t39 * t45 - t24 * t32;
-  const V t78 = t67 * t77;
-  const V t81 = t11 * t32 - t45 * t64;
-  const V t82 = t67 * t81;
-  const V t85 = t18 * t39 - t5 * t64;
-  const V t86 = t67 * t85;
-  const V t89 = t5 * t32 - t39 * t52;
-  const V t90 = t67 * t89;
-  const V t93 = t52 * t64 - t18 * t32;
-  const V t94 = t67 * t93;
-  const V t95 = t59 - t60;
-  const V t96 = t62 - S(0.071796769724490825) * t61 + S(0.2679491924311227) * t95;
-  const V t97 = t3 + t4;
-  const V t98 = t1 + S(0.071796769724490825) * t0 + S(0.2679491924311227) * t97;
-  const V t100 = t23 - t19;
-  const V t101 = t21 - S(0.071796769724490825) * t20 - S(0.2679491924311227) * t100;
-  const V t103 = t45 * t98 + t52 * t101;
-  const V t105 = t37 - t38;
-  const V t106 = t34 - S(0.071796769724490825) * t35 + S(0.2679491924311227) * t105;
-  const V t107 = t6 + t10;
-  const V t108 = t8 + S(0.071796769724490825) * t7 + S(0.2679491924311227) * t107;
-  const V t110 = t17 - t13;
-  const V t111 = t15 - S(0.071796769724490825) * t14 - S(0.2679491924311227) * t110;
-  const V t113 = t52 * t108 + t45 * t111;
-  const V t117 = t98 * t108 - t101 * t111;
-  const V t119 = t32 * t117 - t96 * t103 - t106 * t113;
-  const V t120 = S(1) / t119;
-  const V t121 = t117 * t120;
-  const V t122 = t103 * t120;
-  const V t123 = t113 * t120;
-  const V t126 = t96 * t101 + t106 * t108;
-  const V t127 = t120 * t126;
-  const V t130 = t45 * t106 + t32 * t101;
-  const V t131 = t120 * t130;
-  const V t134 = t32 * t108 - t45 * t96;
-  const V t135 = t120 * t134;
-  const V t138 = t106 * t111 + t96 * t98;
-  const V t139 = t120 * t138;
-  const V t142 = t32 * t98 - t52 * t106;
-  const V t143 = t120 * t142;
-  const V t146 = t52 * t96 + t32 * t111;
-  const V t147 = t120 * t146;
-  const V t148 = t27 - t31;
-  const V t149 = t29 - S(0.071796769724490825) * t28 - S(0.2679491924311227) * t148;
-  const V t150 = t21 - S(13.928203230275509) * t20 - S(3.7320508075688772) * t100;
-  const V t152 = t1 + S(13.928203230275509) * t0 + S(3.7320508075688772) * t97;
-  const V t154 = t18 * t150 + t11 * t152;
-  const V t156 = t40 - t41;
-  const V t157 = t43 - S(0.071796769724490825) * t42 + S(0.2679491924311227) * t156;
-  const V t159 = t47 - t48;
-  const V t160 = t49 - S(0.071796769724490825) * t50 - S(0.2679491924311227) * t159;
-  const V t162 = t18 * t157 + t11 * t160;
-  const V t163 = t34 - S(13.928203230275509) * t35 + S(3.7320508075688772) * t105;
-  const V t167 = t150 * t160 - t152 * t157;
-  const V t169 = t149 * t154 - t162 * t163 - t64 * t167;
-  const V t170 = S(1) / t169;
-  const V t171 = t154 * t170;
-  const V t172 = t167 * t170;
-  const V t173 = t162 * t170;
-  const V t176 = t11 * t163 + t64 * t150;
-  const V t177 = t170 * t176;
-  const V t180 = t157 * t163 - t149 * t150;
-  const V t181 = t170 * t180;
-  const V t184 = t11 * t149 + t64 * t157;
-  const V t185 = t170 * t184;
-  const V t188 = t18 * t163 - t64 * t152;
-  const V t189 = t170 * t188;
-  const V t192 = t149 * t152 - t160 * t163;
-  const V t193 = t170 * t192;
-  const V t196 = t64 * t160 - t18 * t149;
-  const V t197 = t170 * t196;
-  const V t198 = t3 + S(3.7320508075688772) * t2 + S(13.928203230275509) * t4;
-  const V t200 = t23 - S(13.928203230275509) * t19 - S(3.7320508075688772) * t22;
-  const V t202 = t108 * t198 + t111 * t200;
-  const V t206 = t157 * t198 + t160 * t200;
-  const V t210 = t111 * t157 - t108 * t160;
-  const V t211 = t37 + S(3.7320508075688772) * t36 - S(13.928203230275509) * t38;
-  const V t213 = t149 * t202 + t96 * t206 + t210 * t211;
-  const V t214 = S(1) / t213;
-  const V t215 = t202 * t214;
-  const V t216 = t206 * t214;
-  const V t217 = t210 * t214;
-  const V t220 = t96 * t200 - t108 * t211;
-  const V t221 = t214 * t220;
-  const V t224 = t149 * t200 + t157 * t211;
-  const V t225 = t214 * t224;
-  const V t228 = t96 * t157 + t108 * t149;
-  const V t229 = t214 * t228;
-  const V t232 = t111 * t211 + t96 * t198;
-  const V t233 = t214 * t232;
-  const V t236 = t149 * t198 - t160 * t211;
-  const V t237 = t214 * t236;
-  const V t240 = t111 * t149 + t96 * t160;
-  const V t241 = t214 * t240;
-  const V t242 = t29 - S(13.928203230275509) * t28 - S(3.7320508075688772) * t148;
-  const V t243 = t8 + S(13.928203230275509) * t7 + S(3.7320508075688772) * t107;
-  const V t245 = t15 - S(13.928203230275509) * t14 - S(3.7320508075688772) * t110;
-  const V t247 = t5 * t243 + t24 * t245;
-  const V t249 = t43 - S(13.928203230275509) * t42 + S(3.7320508075688772) * t156;
-  const V t251 = t49 - S(13.928203230275509) * t50 - S(3.7320508075688772) * t159;
-  const V t253 = t5 * t249 + t24 * t251;
-  const V t254 = t62 - S(13.928203230275509) * t61 + S(3.7320508075688772) * t95;
-  const V t258 = t245 * t249 - t243 * t251;
-  const V t260 = t242 * t247 + t253 * t254 + t39 * t258;
-  const V t261 = S(1) / t260;
-  const V t262 = t247 * t261;
-  const V t263 = t253 * t261;
-  const V t264 = t258 * t261;
-  const V t267 = t24 * t254 - t39 * t243;
-  const V t268 = t261 * t267;
-  const V t271 = t24 * t242 + t39 * t249;
-  const V t272 = t261 * t271;
-  const V t275 = t249 * t254 + t242 * t243;
-  const V t276 = t261 * t275;
-  const V t279 = t39 * t245 + t5 * t254;
-  const V t280 = t261 * t279;
-  const V t283 = t5 * t242 - t39 * t251;
-  const V t284 = t261 * t283;
-  const V t287 = t242 * t245 + t251 * t254;
-  const V t288 = t261 * t287;
-  const V t289 = t17 - S(13.928203230275509) * t13 - S(3.7320508075688772) * t16;
-  const V t291 = t6 + S(3.7320508075688772) * t9 + S(13.928203230275509) * t10;
-  const V t293 = t101 * t289 + t98 * t291;
-  const V t297 = t249 * t289 + t251 * t291;
-  const V t299 = t59 - S(13.928203230275509) * t60 + S(3.7320508075688772) * t63;
-  const V t302 = t101 * t251 - t98 * t249;
-  const V t304 = t242 * t293 - t106 * t297 - t299 * t302;
-  const V t305 = S(1) / t304;
-  const V t306 = t293 * t305;
-  const V t307 = t302 * t305;
-  const V t308 = t297 * t305;
-  const V t311 = t106 * t291 + t101 * t299;
-  const V t312 = t305 * t311;
-  const V t315 = t106 * t249 - t101 * t242;
-  const V t316 = t305 * t315;
-  const V t319 = t242 * t291 + t249 * t299;
-  const V t320 = t305 * t319;
-  const V t323 = t106 * t289 - t98 * t299;
-  const V t324 = t305 * t323;
-  const V t327 = t98 * t242 - t106 * t251;
-  const V t328 = t305 * t327;
-  const V t331 = t251 * t299 - t242 * t289;
-  const V t332 = t305 * t331;
-  const V t333 = t40 - S(13.928203230275509) * t41 + S(3.7320508075688772) * t44;
-  const V t335 = t47 - S(13.928203230275509) * t48 - S(3.7320508075688772) * t51;
-  const V t337 = t152 * t333 + t150 * t335;
-  const V t341 = t243 * t335 + t245 * t333;
-  const V t343 = t27 - S(3.7320508075688772) * t30 - S(13.928203230275509) * t31;
-  const V t346 = t152 * t243 - t150 * t245;
-  const V t348 = t343 * t346 - t254 * t337 - t163 * t341;
-  const V t349 = S(1) / t348;
-  const V t350 = t346 * t349;
-  const V t351 = t337 * t349;
-  const V t352 = t341 * t349;
-  const V t355 = t150 * t254 + t163 * t243;
-  const V t356 = t349 * t355;
-  const V t359 = t163 * t333 + t150 * t343;
-  const V t360 = t349 * t359;
-  const V t363 = t243 * t343 - t254 * t333;
-  const V t364 = t349 * t363;
-  const V t367 = t163 * t245 + t152 * t254;
-  const V t368 = t349 * t367;
-  const V t371 = t152 * t343 - t163 * t335;
-  const V t372 = t349 * t371;
-  const V t375 = t254 * t335 + t245 * t343;
-  const V t376 = t349 * t375;
-  const V t379 = t198 * t291 - t200 * t289;
-  const V t383 = t289 * t333 - t291 * t335;
-  const V t387 = t200 * t335 - t198 * t333;
-  const V t389 = t343 * t379 + t211 * t383 + t299 * t387;
-  const V t390 = S(1) / t389;
-  const V t391 = t379 * t390;
-  const V t392 = t387 * t390;
-  const V t393 = t383 * t390;
-  const V t396 = t200 * t299 - t211 * t291;
-  const V t397 = t390 * t396;
-  const V t400 = t211 * t333 - t200 * t343;
-  const V t401 = t390 * t400;
-  const V t404 = t291 * t343 - t299 * t333;
-  const V t405 = t390 * t404;
-  const V t408 = t211 * t289 - t198 * t299;
-  const V t409 = t390 * t408;
-  const V t412 = t198 * t343 - t211 * t335;
-  const V t413 = t390 * t412;
-  const V t416 = t299 * t335 - t289 * t343;
-  const V t417 = t390 * t416;
-  out[0] = t66;
-  out[1] = t68;
-  out[2] = t69;
-  out[3] = t70;
-  out[4] = t74;
-  out[5] = t78;
-  out[6] = t82;
-  out[7] = t86;
-  out[8] = t90;
-  out[9] = t94;
-  out[10] = t119;
-  out[11] = t121;
-  out[12] = t122;
-  out[13] = t123;
-  out[14] = t127;
-  out[15] = t131;
-  out[16] = t135;
-  out[17] = t139;
-  out[18] = t143;
-  out[19] = t147;
-  out[20] = t169;
-  out[21] = t171;
-  out[22] = t172;
-  out[23] = t173;
-  out[24] = t177;
-  out[25] = t181;
-  out[26] = t185;
-  out[27] = t189;
-  out[28] = t193;
-  out[29] = t197;
-  out[30] = t213;
-  out[31] = t215;
-  out[32] = t216;
-  out[33] = t217;
-  out[34] = t221;
-  out[35] = t225;
-  out[36] = t229;
-  out[37] = t233;
-  out[38] = t237;
-  out[39] = t241;
-  out[40] = t260;
-  out[41] = t262;
-  out[42] = t263;
-  out[43] = t264;
-  out[44] = t268;
-  out[45] = t272;
-  out[46] = t276;
-  out[47] = t280;
-  out[48] = t284;
-  out[49] = t288;
-  out[50] = t304;
-  out[51] = t306;
-  out[52] = t307;
-  out[53] = t308;
-  out[54] = t312;
-  out[55] = t316;
-  out[56] = t320;
-  out[57] = t324;
-  out[58] = t328;
-  out[59] = t332;
-  out[60] = t348;
-  out[61] = t350;
-  out[62] = t351;
-  out[63] = t352;
-  out[64] = t356;
-  out[65] = t360;
-  out[66] = t364;
-  out[67] = t368;
-  out[68] = t372;
-  out[69] = t376;
-  out[70] = t389;
-  out[71] = t391;
-  out[72] = t392;
-  out[73] = t393;
-  out[74] = t397;
-  out[75] = t401;
-  out[76] = t405;
-  out[77] = t409;
-  out[78] = t413;
-  out[79] = t417;
+  V dx[72];
+  interpolate<V>(kernel::Inputs<V>{x, p, c, x, v, s}, dx, margin);
+  for (int g = 0; g < 8; ++g) {
+    constants_at_point<V>(kernel::Inputs<V>{dx + 9 * g, p, c, u, v, s}, out + 10 * g, margin);
+  }
 }
 
 /// geometry: 1184 flops per element
@@ -833,1283 +908,182 @@ inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unuse
   out[23] = S(1.1133036149792012e-05) * t717;
 }
 
-/// energy: 801 flops per element
+/// energy: 69 flops per element and point
+template <class V>
+inline void energy_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
+    [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  const V t3 = c[7] * u[6] + c[8] * u[7] + c[9] * u[8];
+  const V t7 = c[3] * u[2] + c[2] * u[1] + c[1] * u[0];
+  const V t11 = c[5] * u[4] + c[4] * u[3] + c[6] * u[5];
+  const V t12 = t3 + t7 + t11;
+  const V t13 = p[0] * c[0];
+  const V t19 = c[1] * u[6] + c[2] * u[7] + c[3] * u[8];
+  const V t23 = c[9] * u[2] + c[8] * u[1] + c[7] * u[0];
+  const V t24 = t19 + t23;
+  const V t29 = c[4] * u[6] + c[5] * u[7] + c[6] * u[8];
+  const V t33 = c[8] * u[4] + c[7] * u[3] + c[9] * u[5];
+  const V t34 = t29 + t33;
+  const V t40 = c[6] * u[2] + c[5] * u[1] + c[4] * u[0];
+  const V t44 = c[2] * u[4] + c[1] * u[3] + c[3] * u[5];
+  const V t45 = t40 + t44;
+  const V t48 = t24 * t24 + t34 * t34 + t45 * t45 + S(2) * (t3 * t3 + t7 * t7 + t11 * t11);
+  const V t49 = p[1] * c[0];
+  const V t51 = t12 * t12 * t13 + t48 * t49;
+  out[0] = -S(0.5) * t51;
+}
+
+/// energy: 805 flops per element
 template <class V>
 inline void energy([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
   using S [[maybe_unused]] = kernel::Scalar<V>;
   [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
-  const V t0 = u[8] - u[20];
-  const V t1 = u[11] - u[23];
-  const V t2 = t0 + S(3.7320508075688772) * t1;
-  const V t3 = u[2] - u[14];
-  const V t4 = u[5] - u[17];
-  const V t5 = t3 + S(0.2679491924311227) * t4;
-  const V t6 = t5 + S(0.071796769724490825) * t2;
-  const V t8 = u[20] - u[23];
-  const V t9 = u[14] - u[17];
-  const V t10 = t9 - S(0.2679491924311227) * t8;
-  const V t11 = u[2] - u[5];
-  const V t12 = u[8] - u[11];
-  const V t13 = t11 - S(0.2679491924311227) * t12;
-  const V t14 = t13 + S(0.2679491924311227) * t10;
-  const V t16 = u[5] - u[8];
-  const V t17 = u[2] - u[11];
-  const V t18 = t17 + S(0.2679491924311227) * t16;
-  const V t19 = u[17] - u[20];
-  const V t20 = u[14] - u[23];
-  const V t21 = t20 + S(0.2679491924311227) * t19;
-  const V t22 = t18 + S(0.2679491924311227) * t21;
-  const V t24 = c[6] * t6 + c[4] * t14 + c[5] * t22;
-  const V t25 = u[7] - u[19];
-  const V t26 = u[10] - u[22];
-  const V t27 = t25 + S(3.7320508075688772) * t26;
-  const V t28 = u[1] - u[13];
-  const V t29 = u[4] - u[16];
-  const V t30 = t28 + S(0.2679491924311227) * t29;
-  const V t31 = t30 + S(0.071796769724490825) * t27;
-  const V t33 = u[1] - u[4];
-  const V t34 = u[7] - u[10];
-  const V t35 = t33 - S(0.2679491924311227) * t34;
-  const V t36 = u[19] - u[22];
-  const V t37 = u[13] - u[16];
-  const V t38 = t37 - S(0.2679491924311227) * t36;
-  const V t39 = t35 + S(0.2679491924311227) * t38;
-  const V t41 = u[16] - u[19];
-  const V t42 = u[13] - u[22];
-  const V t43 = t42 + S(0.2679491924311227) * t41;
-  const V t44 = u[1] - u[10];
-  const V t45 = u[4] - u[7];
-  const V t46 = t44 + S(0.2679491924311227) * t45;
-  const V t47 = t46 + S(0.2679491924311227) * t43;
-  const V t49 = c[9] * t31 + c[7] * t39 + c[8] * t47;
-  const V t50 = t24 + t49;
-  const V t55 = c[6] * t31 + c[4] * t39 + c[5] * t47;
-  const V t60 = c[3] * t31 + c[1] * t39 + c[2] * t47;
-  const V t61 = u[0] - u[12];
-  const V t62 = u[3] - u[15];
-  const V t63 = t61 + S(0.2679491924311227) * t62;
-  const V t64 = u[6] - u[18];
-  const V t65 = u[9] - u[21];
-  const V t66 = t64 + S(3.7320508075688772) * t65;
-  const V t67 = t63 + S(0.071796769724490825) * t66;
-  const V t69 = u[0] - u[3];
-  const V t70 = u[6] - u[9];
-  const V t71 = t69 - S(0.2679491924311227) * t70;
-  const V t72 = u[18] - u[21];
-  const V t73 = u[12] - u[15];
-  const V t74 = t73 - S(0.2679491924311227) * t72;
-  const V t75 = t71 + S(0.2679491924311227) * t74;
-  const V t77 = u[3] - u[6];
-  const V t78 = u[0] - u[9];
-  const V t79 = t78 + S(0.2679491924311227) * t77;
-  const V t80 = u[12] - u[21];
-  const V t81 = u[15] - u[18];
-  const V t82 = t80 + S(0.2679491924311227) * t81;
-  const V t83 = t79 + S(0.2679491924311227) * t82;
-  const V t85 = c[6] * t67 + c[4] * t75 + c[5] * t83;
-  const V t86 = t60 + t85;
-  const V t91 = c[3] * t67 + c[1] * t75 + c[2] * t83;
-  const V t96 = c[9] * t6 + c[7] * t14 + c[8] * t22;
-  const V t101 = c[3] * t6 + c[1] * t14 + c[2] * t22;
-  const V t105 = c[9] * t67 + c[7] * t75 + c[8] * t83;
-  const V t106 = t101 + t105;
-  const V t108 = t50 * t50 + t86 * t86 + t106 * t106 + S(2) * (t55 * t55 + t91 * t91 + t96 * t96);
-  const V t109 = p[1] * c[0];
-  const V t111 = t0 + S(0.2679491924311227) * t1;
-  const V t112 = t3 + S(3.7320508075688772) * t4;
-  const V t113 = t111 + t112;
-  const V t116 = t17 + S(3.7320508075688772) * t16;
-  const V t117 = t20 + S(3.7320508075688772) * t19;
-  const V t118 = t116 + S(0.2679491924311227) * t117;
-  const V t120 = c[14] * t14 - S(0.2679491924311227) * (c[16] * t113 + c[15] * t118);
-  const V t121 = t25 + S(0.2679491924311227) * t26;
-  const V t122 = t28 + S(3.7320508075688772) * t29;
-  const V t123 = t121 + t122;
-  const V t126 = t42 + S(3.7320508075688772) * t41;
-  const V t127 = t44 + S(3.7320508075688772) * t45;
-  const V t128 = t127 + S(0.2679491924311227) * t126;
-  const V t130 = c[17] * t39 - S(0.2679491924311227) * (c[19] * t123 + c[18] * t128);
-  const V t131 = t120 + t130;
-  const V t136 = c[14] * t39 - S(0.2679491924311227) * (c[16] * t123 + c[15] * t128);
-  const V t141 = c[11] * t39 - S(0.2679491924311227) * (c[13] * t123 + c[12] * t128);
-  const V t142 = t61 + S(3.7320508075688772) * t62;
-  const V t143 = t64 + S(0.2679491924311227) * t65;
-  const V t144 = t142 + t143;
-  const V t147 = t78 + S(3.7320508075688772) * t77;
-  const V t148 = t80 + S(3.7320508075688772) * t81;
-  const V t149 = t147 + S(0.2679491924311227) * t148;
-  const V t151 = c[14] * t75 - S(0.2679491924311227) * (c[16] * t144 + c[15] * t149);
-  const V t152 = t151 - t141;
-  const V t157 = c[11] * t75 - S(0.2679491924311227) * (c[13] * t144 + c[12] * t149);
-  const V t162 = c[17] * t14 - S(0.2679491924311227) * (c[19] * t113 + c[18] * t118);
-  const V t167 = c[11] * t14 - S(0.2679491924311227) * (c[13] * t113 + c[12] * t118);
-  const V t171 = c[17] * t75 - S(0.2679491924311227) * (c[19] * t144 + c[18] * t149);
-  const V t172 = t171 - t167;
-  const V t174 = t131 * t131 + t152 * t152 + t172 * t172 + S(2) * (t136 * t136 + t157 * t157 + t162
-      * t162);
-  const V t175 = p[1] * c[10];
-  const V t177 = t2 + t5;
-  const V t179 = t9 - S(3.7320508075688772) * t8;
-  const V t180 = t11 - S(3.7320508075688772) * t12;
-  const V t181 = t180 + S(0.2679491924311227) * t179;
-  const V t184 = c[24] * t181 + S(13.928203230275509) * c[26] * t177 - S(3.7320508075688772) * c[25]
-      * t22;
-  const V t185 = t27 + t30;
-  const V t187 = t33 - S(3.7320508075688772) * t34;
-  const V t188 = t37 - S(3.7320508075688772) * t36;
-  const V t189 = t187 + S(0.2679491924311227) * t188;
-  const V t192 = c[27] * t189 - S(13.928203230275509) * c[29] * t185 - S(3.7320508075688772) * c[28]
-      * t47;
-  const V t193 = t192 - t184;
-  const V t198 = c[24] * t189 + S(13.928203230275509) * c[26] * t185 - S(3.7320508075688772) * c[25]
-      * t47;
-  const V t203 = c[21] * t189 + S(13.928203230275509) * c[23] * t185 + S(3.7320508075688772) * c[22]
-      * t47;
-  const V t204 = t63 + t66;
-  const V t206 = t69 - S(3.7320508075688772) * t70;
-  const V t207 = t73 - S(3.7320508075688772) * t72;
-  const V t208 = t206 + S(0.2679491924311227) * t207;
-  const V t211 = c[24] * t208 + S(13.928203230275509) * c[26] * t204 - S(3.7320508075688772) * c[25]
-      * t83;
-  const V t212 = t211 - t203;
-  const V t217 = c[21] * t208 + S(13.928203230275509) * c[23] * t204 + S(3.7320508075688772) * c[22]
-      * t83;
-  const V t222 = c[27] * t181 - S(13.928203230275509) * c[29] * t177 - S(3.7320508075688772) * c[28]
-      * t22;
-  const V t227 = c[21] * t181 + S(13.928203230275509) * c[23] * t177 + S(3.7320508075688772) * c[22]
-      * t22;
-  const V t231 = c[27] * t208 - S(13.928203230275509) * c[29] * t204 - S(3.7320508075688772) * c[28]
-      * t83;
-  const V t232 = t227 + t231;
-  const V t234 = t193 * t193 + t212 * t212 + t232 * t232 + S(2) * (t198 * t198 + t217 * t217 + t222
-      * t222);
-  const V t235 = p[1] * c[20];
-  const V t237 = t112 + S(13.928203230275509) * t111;
-  const V t241 = c[34] * t181 + c[35] * t118 - S(3.7320508075688772) * c[36] * t237;
-  const V t242 = t122 + S(13.928203230275509) * t121;
-  const V t246 = c[37] * t189 + c[38] * t128 + S(3.7320508075688772) * c[39] * t242;
-  const V t247 = t246 - t241;
-  const V t252 = c[34] * t189 + c[35] * t128 - S(3.7320508075688772) * c[36] * t242;
-  const V t257 = c[31] * t189 - c[32] * t128 - S(3.7320508075688772) * c[33] * t242;
-  const V t258 = t142 + S(13.928203230275509) * t143;
-  const V t262 = c[34] * t208 + c[35] * t149 - S(3.7320508075688772) * c[36] * t258;
-  const V t263 = t257 + t262;
-  const V t268 = c[31] * t208 - c[32] * t149 - S(3.7320508075688772) * c[33] * t258;
-  const V t273 = c[37] * t181 + c[38] * t118 + S(3.7320508075688772) * c[39] * t237;
-  const V t278 = c[31] * t181 - c[32] * t118 - S(3.7320508075688772) * c[33] * t237;
-  const V t282 = c[37] * t208 + c[38] * t149 + S(3.7320508075688772) * c[39] * t258;
-  const V t283 = t282 - t278;
-  const V t285 = t247 * t247 + t263 * t263 + t283 * t283 + S(2) * (t252 * t252 + t268 * t268 + t273
-      * t273);
-  const V t286 = p[1] * c[30];
-  const V t289 = t13 + S(3.7320508075688772) * t10;
-  const V t291 = t18 + S(3.7320508075688772) * t21;
-  const V t293 = c[44] * t289 + c[45] * t291 - S(0.2679491924311227) * c[46] * t6;
-  const V t295 = t35 + S(3.7320508075688772) * t38;
-  const V t297 = t46 + S(3.7320508075688772) * t43;
-  const V t299 = c[47] * t295 + c[48] * t297 + S(0.2679491924311227) * c[49] * t31;
-  const V t300 = t299 - t293;
-  const V t305 = c[44] * t295 + c[45] * t297 - S(0.2679491924311227) * c[46] * t31;
-  const V t310 = c[41] * t295 - c[42] * t297 - S(0.2679491924311227) * c[43] * t31;
-  const V t312 = t71 + S(3.7320508075688772) * t74;
-  const V t314 = t79 + S(3.7320508075688772) * t82;
-  const V t316 = c[44] * t312 + c[45] * t314 - S(0.2679491924311227) * c[46] * t67;
-  const V t317 = t310 + t316;
-  const V t322 = c[41] * t312 - c[42] * t314 - S(0.2679491924311227) * c[43] * t67;
-  const V t327 = c[47] * t289 + c[48] * t291 + S(0.2679491924311227) * c[49] * t6;
-  const V t332 = c[41] * t289 - c[42] * t291 - S(0.2679491924311227) * c[43] * t6;
-  const V t336 = c[47] * t312 + c[48] * t314 + S(0.2679491924311227) * c[49] * t67;
-  const V t337 = t336 - t332;
-  const V t339 = t300 * t300 + t317 * t317 + t337 * t337 + S(2) * (t305 * t305 + t322 * t322 + t327
-      * t327);
-  const V t340 = p[1] * c[40];
-  const V t344 = t116 + S(3.7320508075688772) * t117;
-  const V t346 = c[54] * t289 + S(0.071796769724490825) * c[56] * t113 - S(0.2679491924311227) *
-      c[55] * t344;
-  const V t349 = t127 + S(3.7320508075688772) * t126;
-  const V t351 = c[57] * t295 - S(0.071796769724490825) * c[59] * t123 - S(0.2679491924311227) *
-      c[58] * t349;
-  const V t352 = t351 - t346;
-  const V t357 = c[54] * t295 + S(0.071796769724490825) * c[56] * t123 - S(0.2679491924311227) *
-      c[55] * t349;
-  const V t362 = c[51] * t295 + S(0.071796769724490825) * c[53] * t123 + S(0.2679491924311227) *
-      c[52] * t349;
-  const V t365 = t147 + S(3.7320508075688772) * t148;
-  const V t367 = c[54] * t312 + S(0.071796769724490825) * c[56] * t144 - S(0.2679491924311227) *
-      c[55] * t365;
-  const V t368 = t367 - t362;
-  const V t373 = c[51] * t312 + S(0.071796769724490825) * c[53] * t144 + S(0.2679491924311227) *
-      c[52] * t365;
-  const V t378 = c[57] * t289 - S(0.071796769724490825) * c[59] * t113 - S(0.2679491924311227) *
-      c[58] * t344;
-  const V t383 = c[51] * t289 + S(0.071796769724490825) * c[53] * t113 + S(0.2679491924311227) *
-      c[52] * t344;
-  const V t387 = c[57] * t312 - S(0.071796769724490825) * c[59] * t144 - S(0.2679491924311227) *
-      c[58] * t365;
-  const V t388 = t383 + t387;
-  const V t390 = t352 * t352 + t368 * t368 + t388 * t388 + S(2) * (t357 * t357 + t373 * t373 + t378
-      * t378);
-  const V t391 = p[1] * c[50];
-  const V t394 = t180 + S(3.7320508075688772) * t179;
-  const V t397 = c[64] * t394 - S(3.7320508075688772) * (c[66] * t177 + c[65] * t291);
-  const V t399 = t187 + S(3.7320508075688772) * t188;
-  const V t402 = c[67] * t399 - S(3.7320508075688772) * (c[69] * t185 + c[68] * t297);
-  const V t403 = t397 + t402;
-  const V t408 = c[64] * t399 - S(3.7320508075688772) * (c[66] * t185 + c[65] * t297);
-  const V t413 = c[61] * t399 - S(3.7320508075688772) * (c[63] * t185 + c[62] * t297);
-  const V t415 = t206 + S(3.7320508075688772) * t207;
-  const V t418 = c[64] * t415 - S(3.7320508075688772) * (c[66] * t204 + c[65] * t314);
-  const V t419 = t418 - t413;
-  const V t424 = c[61] * t415 - S(3.7320508075688772) * (c[63] * t204 + c[62] * t314);
-  const V t429 = c[67] * t394 - S(3.7320508075688772) * (c[69] * t177 + c[68] * t291);
-  const V t434 = c[61] * t394 - S(3.7320508075688772) * (c[63] * t177 + c[62] * t291);
-  const V t438 = c[67] * t415 - S(3.7320508075688772) * (c[69] * t204 + c[68] * t314);
-  const V t439 = t438 - t434;
-  const V t441 = t403 * t403 + t419 * t419 + t439 * t439 + S(2) * (t408 * t408 + t424 * t424 + t429
-      * t429);
-  const V t442 = p[1] * c[60];
-  const V t447 = c[76] * t237 + c[74] * t394 + c[75] * t344;
-  const V t451 = c[79] * t242 + c[77] * t399 + c[78] * t349;
-  const V t452 = t447 + t451;
-  const V t457 = c[76] * t242 + c[74] * t399 + c[75] * t349;
-  const V t462 = c[73] * t242 + c[71] * t399 + c[72] * t349;
-  const V t466 = c[76] * t258 + c[74] * t415 + c[75] * t365;
-  const V t467 = t462 + t466;
-  const V t472 = c[73] * t258 + c[71] * t415 + c[72] * t365;
-  const V t477 = c[79] * t237 + c[77] * t394 + c[78] * t344;
-  const V t482 = c[73] * t237 + c[71] * t394 + c[72] * t344;
-  const V t486 = c[79] * t258 + c[77] * t415 + c[78] * t365;
-  const V t487 = t482 + t486;
-  const V t489 = t452 * t452 + t467 * t467 + t487 * t487 + S(2) * (t457 * t457 + t472 * t472 + t477
-      * t477);
-  const V t490 = p[1] * c[70];
-  const V t492 = t55 + t91 + t96;
-  const V t493 = p[0] * c[0];
-  const V t495 = t157 - t136 - t162;
-  const V t496 = p[0] * c[10];
-  const V t498 = t217 + t222 - t198;
-  const V t499 = p[0] * c[20];
-  const V t501 = t252 + t268 - t273;
-  const V t502 = p[0] * c[30];
-  const V t504 = t305 + t322 - t327;
-  const V t505 = p[0] * c[40];
-  const V t507 = t373 + t378 - t357;
-  const V t508 = p[0] * c[50];
-  const V t510 = t424 - t408 - t429;
-  const V t511 = p[0] * c[60];
-  const V t513 = t457 + t472 + t477;
-  const V t514 = p[0] * c[70];
-  const V t516 = t108 * t109 + t174 * t175 + t492 * t492 * t493 + t495 * t495 * t496 -
-      S(0.0051547761428715625) * (t234 * t235 + t285 * t286 + t498 * t498 * t499 + t501 * t501 *
-      t502) - S(0.071796769724490825) * (t339 * t340 + t390 * t391 + t504 * t504 * t505 + t507 *
-      t507 * t508) + S(0.0003700962757110486) * (t441 * t442 + t489 * t490 + t510 * t510 * t511 +
-      t513 * t513 * t514);
-  out[0] = S(0.0150407297782214) * t516;
+  V du[72];
+  interpolate<V>(kernel::Inputs<V>{x, p, c, u, v, s}, du, margin);
+  V result[8];
+  for (int g = 0; g < 8; ++g) {
+    energy_at_point<V>(kernel::Inputs<V>{x, p, c + 10 * g, du + 9 * g, v, s}, result + 1 * g,
+        margin);
+  }
+  weigh<V>(kernel::Inputs<V>{x, p, c, result, v, s}, out, margin);
 }
 
-/// forces: 1402 flops per element
+/// forces: 110 flops per element and point
+template <class V>
+inline void forces_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
+    [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  const V t3 = c[3] * u[2] + c[2] * u[1] + c[1] * u[0];
+  const V t4 = p[1] * c[0];
+  const V t9 = c[7] * u[6] + c[8] * u[7] + c[9] * u[8];
+  const V t13 = c[5] * u[4] + c[4] * u[3] + c[6] * u[5];
+  const V t14 = t3 + t9 + t13;
+  const V t15 = p[0] * c[0];
+  const V t16 = t14 * t15;
+  const V t17 = t16 + S(2) * t3 * t4;
+  const V t22 = c[1] * u[6] + c[2] * u[7] + c[3] * u[8];
+  const V t26 = c[9] * u[2] + c[8] * u[1] + c[7] * u[0];
+  const V t27 = t22 + t26;
+  const V t28 = t4 * t27;
+  const V t33 = c[6] * u[2] + c[5] * u[1] + c[4] * u[0];
+  const V t37 = c[2] * u[4] + c[1] * u[3] + c[3] * u[5];
+  const V t38 = t33 + t37;
+  const V t39 = t4 * t38;
+  const V t41 = c[1] * t17 + c[7] * t28 + c[4] * t39;
+  const V t45 = c[2] * t17 + c[8] * t28 + c[5] * t39;
+  const V t49 = c[3] * t17 + c[9] * t28 + c[6] * t39;
+  const V t51 = t16 + S(2) * t4 * t13;
+  const V t56 = c[4] * u[6] + c[5] * u[7] + c[6] * u[8];
+  const V t60 = c[8] * u[4] + c[7] * u[3] + c[9] * u[5];
+  const V t61 = t56 + t60;
+  const V t62 = t4 * t61;
+  const V t65 = c[4] * t51 + c[7] * t62 + c[1] * t39;
+  const V t69 = c[5] * t51 + c[8] * t62 + c[2] * t39;
+  const V t73 = c[6] * t51 + c[9] * t62 + c[3] * t39;
+  const V t77 = t16 + S(2) * t4 * t9;
+  const V t79 = c[4] * t62 + c[1] * t28 + c[7] * t77;
+  const V t83 = c[5] * t62 + c[2] * t28 + c[8] * t77;
+  const V t87 = c[6] * t62 + c[3] * t28 + c[9] * t77;
+  out[0] = t41;
+  out[1] = t45;
+  out[2] = t49;
+  out[3] = t65;
+  out[4] = t69;
+  out[5] = t73;
+  out[6] = t79;
+  out[7] = t83;
+  out[8] = t87;
+}
+
+/// forces: 1396 flops per element
 template <class V>
 inline void forces([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
   using S [[maybe_unused]] = kernel::Scalar<V>;
   [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
-  const V t0 = p[1] * c[70];
-  const V t1 = u[0] - u[12];
-  const V t2 = u[3] - u[15];
-  const V t3 = t1 + S(3.7320508075688772) * t2;
-  const V t4 = u[6] - u[18];
-  const V t5 = u[9] - u[21];
-  const V t6 = t4 + S(0.2679491924311227) * t5;
-  const V t7 = t3 + S(13.928203230275509) * t6;
-  const V t9 = u[0] - u[3];
-  const V t10 = u[6] - u[9];
-  const V t11 = t9 - S(3.7320508075688772) * t10;
-  const V t12 = u[18] - u[21];
-  const V t13 = u[12] - u[15];
-  const V t14 = t13 - S(3.7320508075688772) * t12;
-  const V t15 = t11 + S(3.7320508075688772) * t14;
-  const V t17 = u[3] - u[6];
-  const V t18 = u[0] - u[9];
-  const V t19 = t18 + S(3.7320508075688772) * t17;
-  const V t20 = u[12] - u[21];
-  const V t21 = u[15] - u[18];
-  const V t22 = t20 + S(3.7320508075688772) * t21;
-  const V t23 = t19 + S(3.7320508075688772) * t22;
-  const V t25 = c[73] * t7 + c[71] * t15 + c[72] * t23;
-  const V t27 = u[8] - u[20];
-  const V t28 = u[11] - u[23];
-  const V t29 = t27 + S(0.2679491924311227) * t28;
-  const V t30 = u[2] - u[14];
-  const V t31 = u[5] - u[17];
-  const V t32 = t30 + S(3.7320508075688772) * t31;
-  const V t33 = t32 + S(13.928203230275509) * t29;
-  const V t35 = u[20] - u[23];
-  const V t36 = u[14] - u[17];
-  const V t37 = t36 - S(3.7320508075688772) * t35;
-  const V t38 = u[2] - u[5];
-  const V t39 = u[8] - u[11];
-  const V t40 = t38 - S(3.7320508075688772) * t39;
-  const V t41 = t40 + S(3.7320508075688772) * t37;
-  const V t43 = u[5] - u[8];
-  const V t44 = u[2] - u[11];
-  const V t45 = t44 + S(3.7320508075688772) * t43;
-  const V t46 = u[17] - u[20];
-  const V t47 = u[14] - u[23];
-  const V t48 = t47 + S(3.7320508075688772) * t46;
-  const V t49 = t45 + S(3.7320508075688772) * t48;
-  const V t51 = c[79] * t33 + c[77] * t41 + c[78] * t49;
-  const V t52 = u[7] - u[19];
-  const V t53 = u[10] - u[22];
-  const V t54 = t52 + S(0.2679491924311227) * t53;
-  const V t55 = u[1] - u[13];
-  const V t56 = u[4] - u[16];
-  const V t57 = t55 + S(3.7320508075688772) * t56;
-  const V t58 = t57 + S(13.928203230275509) * t54;
-  const V t60 = u[1] - u[4];
-  const V t61 = u[7] - u[10];
-  const V t62 = t60 - S(3.7320508075688772) * t61;
-  const V t63 = u[19] - u[22];
-  const V t64 = u[13] - u[16];
-  const V t65 = t64 - S(3.7320508075688772) * t63;
-  const V t66 = t62 + S(3.7320508075688772) * t65;
-  const V t68 = u[16] - u[19];
-  const V t69 = u[13] - u[22];
-  const V t70 = t69 + S(3.7320508075688772) * t68;
-  const V t71 = u[1] - u[10];
-  const V t72 = u[4] - u[7];
-  const V t73 = t71 + S(3.7320508075688772) * t72;
-  const V t74 = t73 + S(3.7320508075688772) * t70;
-  const V t76 = c[76] * t58 + c[74] * t66 + c[75] * t74;
-  const V t77 = t25 + t51 + t76;
-  const V t78 = p[0] * c[70];
-  const V t79 = t77 * t78;
-  const V t80 = t79 + S(2) * t0 * t25;
-  const V t82 = p[1] * c[30];
-  const V t84 = t11 + S(0.2679491924311227) * t14;
-  const V t86 = t19 + S(0.2679491924311227) * t22;
-  const V t88 = c[31] * t84 - c[32] * t86 - S(3.7320508075688772) * c[33] * t7;
-  const V t91 = t40 + S(0.2679491924311227) * t37;
-  const V t93 = t45 + S(0.2679491924311227) * t48;
-  const V t95 = c[37] * t91 + c[38] * t93 + S(3.7320508075688772) * c[39] * t33;
-  const V t97 = t62 + S(0.2679491924311227) * t65;
-  const V t99 = t73 + S(0.2679491924311227) * t70;
-  const V t101 = c[34] * t97 + c[35] * t99 - S(3.7320508075688772) * c[36] * t58;
-  const V t102 = t88 + t101 - t95;
-  const V t103 = p[0] * c[30];
-  const V t104 = t102 * t103;
-  const V t105 = t104 + S(2) * t82 * t88;
-  const V t110 = c[73] * t33 + c[71] * t41 + c[72] * t49;
-  const V t114 = c[79] * t7 + c[77] * t15 + c[78] * t23;
-  const V t115 = t110 + t114;
-  const V t116 = t0 * t115;
-  const V t121 = c[31] * t91 - c[32] * t93 - S(3.7320508075688772) * c[33] * t33;
-  const V t125 = c[37] * t84 + c[38] * t86 + S(3.7320508075688772) * c[39] * t7;
-  const V t126 = t125 - t121;
-  const V t127 = t82 * t126;
-  const V t132 = c[73] * t58 + c[71] * t66 + c[72] * t74;
-  const V t136 = c[76] * t7 + c[74] * t15 + c[75] * t23;
-  const V t137 = t132 + t136;
-  const V t138 = t0 * t137;
-  const V t143 = c[31] * t97 - c[32] * t99 - S(3.7320508075688772) * c[33] * t58;
-  const V t147 = c[34] * t84 + c[35] * t86 - S(3.7320508075688772) * c[36] * t7;
-  const V t148 = t143 + t147;
-  const V t149 = t82 * t148;
-  const V t151 = c[73] * t80 + c[79] * t116 + c[76] * t138 + S(51.98076211353316) * (c[33] * t105 +
-      c[36] * t149 - c[39] * t127);
-  const V t152 = p[1] * c[60];
-  const V t153 = t1 + S(0.2679491924311227) * t2;
-  const V t154 = t4 + S(3.7320508075688772) * t5;
-  const V t155 = t153 + t154;
-  const V t158 = t18 + S(0.2679491924311227) * t17;
-  const V t159 = t20 + S(0.2679491924311227) * t21;
-  const V t160 = t158 + S(3.7320508075688772) * t159;
-  const V t162 = c[61] * t15 - S(3.7320508075688772) * (c[63] * t155 + c[62] * t160);
-  const V t164 = t27 + S(3.7320508075688772) * t28;
-  const V t165 = t30 + S(0.2679491924311227) * t31;
-  const V t166 = t164 + t165;
-  const V t169 = t44 + S(0.2679491924311227) * t43;
-  const V t170 = t47 + S(0.2679491924311227) * t46;
-  const V t171 = t169 + S(3.7320508075688772) * t170;
-  const V t173 = c[67] * t41 - S(3.7320508075688772) * (c[69] * t166 + c[68] * t171);
-  const V t174 = t52 + S(3.7320508075688772) * t53;
-  const V t175 = t55 + S(0.2679491924311227) * t56;
-  const V t176 = t174 + t175;
-  const V t179 = t69 + S(0.2679491924311227) * t68;
-  const V t180 = t71 + S(0.2679491924311227) * t72;
-  const V t181 = t180 + S(3.7320508075688772) * t179;
-  const V t183 = c[64] * t66 - S(3.7320508075688772) * (c[66] * t176 + c[65] * t181);
-  const V t184 = t162 - t173 - t183;
-  const V t185 = p[0] * c[60];
-  const V t186 = t184 * t185;
-  const V t187 = t186 + S(2) * t152 * t162;
-  const V t189 = p[1] * c[20];
-  const V t192 = t158 + S(0.2679491924311227) * t159;
-  const V t194 = c[21] * t84 + S(13.928203230275509) * c[23] * t155 + S(3.7320508075688772) * c[22]
-      * t192;
-  const V t198 = t169 + S(0.2679491924311227) * t170;
-  const V t200 = c[27] * t91 - S(13.928203230275509) * c[29] * t166 - S(3.7320508075688772) * c[28]
-      * t198;
-  const V t203 = t180 + S(0.2679491924311227) * t179;
-  const V t205 = c[24] * t97 + S(13.928203230275509) * c[26] * t176 - S(3.7320508075688772) * c[25]
-      * t203;
-  const V t206 = t194 + t200 - t205;
-  const V t207 = p[0] * c[20];
-  const V t208 = t206 * t207;
-  const V t209 = t208 + S(2) * t189 * t194;
-  const V t214 = c[61] * t41 - S(3.7320508075688772) * (c[63] * t166 + c[62] * t171);
-  const V t218 = c[67] * t15 - S(3.7320508075688772) * (c[69] * t155 + c[68] * t160);
-  const V t219 = t218 - t214;
-  const V t220 = t152 * t219;
-  const V t225 = c[21] * t91 + S(13.928203230275509) * c[23] * t166 + S(3.7320508075688772) * c[22]
-      * t198;
-  const V t229 = c[27] * t84 - S(13.928203230275509) * c[29] * t155 - S(3.7320508075688772) * c[28]
-      * t192;
-  const V t230 = t225 + t229;
-  const V t231 = t189 * t230;
-  const V t236 = c[61] * t66 - S(3.7320508075688772) * (c[63] * t176 + c[62] * t181);
-  const V t240 = c[64] * t15 - S(3.7320508075688772) * (c[66] * t155 + c[65] * t160);
-  const V t241 = t240 - t236;
-  const V t242 = t152 * t241;
-  const V t247 = c[21] * t97 + S(13.928203230275509) * c[23] * t176 + S(3.7320508075688772) * c[22]
-      * t203;
-  const V t251 = c[24] * t84 + S(13.928203230275509) * c[26] * t155 - S(3.7320508075688772) * c[25]
-      * t192;
-  const V t252 = t251 - t247;
-  const V t253 = t189 * t252;
-  const V t255 = c[63] * t187 + c[69] * t220 + c[66] * t242 + S(51.98076211353316) * (c[23] * t209 +
-      c[26] * t253 - c[29] * t231);
-  const V t256 = t151 - S(3.7320508075688772) * t255;
-  const V t257 = p[1] * c[50];
-  const V t258 = t3 + t6;
-  const V t260 = t9 - S(0.2679491924311227) * t10;
-  const V t261 = t13 - S(0.2679491924311227) * t12;
-  const V t262 = t260 + S(3.7320508075688772) * t261;
-  const V t265 = c[51] * t262 + S(0.071796769724490825) * c[53] * t258 + S(0.2679491924311227) *
-      c[52] * t23;
-  const V t267 = t29 + t32;
-  const V t269 = t36 - S(0.2679491924311227) * t35;
-  const V t270 = t38 - S(0.2679491924311227) * t39;
-  const V t271 = t270 + S(3.7320508075688772) * t269;
-  const V t274 = c[57] * t271 - S(0.071796769724490825) * c[59] * t267 - S(0.2679491924311227) *
-      c[58] * t49;
-  const V t275 = t54 + t57;
-  const V t277 = t60 - S(0.2679491924311227) * t61;
-  const V t278 = t64 - S(0.2679491924311227) * t63;
-  const V t279 = t277 + S(3.7320508075688772) * t278;
-  const V t282 = c[54] * t279 + S(0.071796769724490825) * c[56] * t275 - S(0.2679491924311227) *
-      c[55] * t74;
-  const V t283 = t265 + t274 - t282;
-  const V t284 = p[0] * c[50];
-  const V t285 = t283 * t284;
-  const V t286 = t285 + S(2) * t257 * t265;
-  const V t288 = p[1] * c[10];
-  const V t290 = t260 + S(0.2679491924311227) * t261;
-  const V t293 = c[11] * t290 - S(0.2679491924311227) * (c[13] * t258 + c[12] * t86);
-  const V t296 = t270 + S(0.2679491924311227) * t269;
-  const V t299 = c[17] * t296 - S(0.2679491924311227) * (c[19] * t267 + c[18] * t93);
-  const V t301 = t277 + S(0.2679491924311227) * t278;
-  const V t304 = c[14] * t301 - S(0.2679491924311227) * (c[16] * t275 + c[15] * t99);
-  const V t305 = t293 - t299 - t304;
-  const V t306 = p[0] * c[10];
-  const V t307 = t305 * t306;
-  const V t308 = t307 + S(2) * t288 * t293;
-  const V t313 = c[51] * t271 + S(0.071796769724490825) * c[53] * t267 + S(0.2679491924311227) *
-      c[52] * t49;
-  const V t317 = c[57] * t262 - S(0.071796769724490825) * c[59] * t258 - S(0.2679491924311227) *
-      c[58] * t23;
-  const V t318 = t313 + t317;
-  const V t319 = t257 * t318;
-  const V t324 = c[11] * t296 - S(0.2679491924311227) * (c[13] * t267 + c[12] * t93);
-  const V t328 = c[17] * t290 - S(0.2679491924311227) * (c[19] * t258 + c[18] * t86);
-  const V t329 = t328 - t324;
-  const V t330 = t288 * t329;
-  const V t335 = c[51] * t279 + S(0.071796769724490825) * c[53] * t275 + S(0.2679491924311227) *
-      c[52] * t74;
-  const V t339 = c[54] * t262 + S(0.071796769724490825) * c[56] * t258 - S(0.2679491924311227) *
-      c[55] * t23;
-  const V t340 = t339 - t335;
-  const V t341 = t257 * t340;
-  const V t346 = c[11] * t301 - S(0.2679491924311227) * (c[13] * t275 + c[12] * t99);
-  const V t350 = c[14] * t290 - S(0.2679491924311227) * (c[16] * t258 + c[15] * t86);
-  const V t351 = t350 - t346;
-  const V t352 = t288 * t351;
-  const V t354 = c[59] * t319 - c[53] * t286 - c[56] * t341 - S(51.98076211353316) * (c[13] * t308 +
-      c[19] * t330 + c[16] * t352);
-  const V t355 = p[1] * c[40];
-  const V t356 = t153 + S(0.071796769724490825) * t154;
-  const V t360 = c[41] * t262 - c[42] * t160 - S(0.2679491924311227) * c[43] * t356;
-  const V t362 = t165 + S(0.071796769724490825) * t164;
-  const V t366 = c[47] * t271 + c[48] * t171 + S(0.2679491924311227) * c[49] * t362;
-  const V t367 = t175 + S(0.071796769724490825) * t174;
-  const V t371 = c[44] * t279 + c[45] * t181 - S(0.2679491924311227) * c[46] * t367;
-  const V t372 = t360 + t371 - t366;
-  const V t373 = p[0] * c[40];
-  const V t374 = t372 * t373;
-  const V t375 = t374 + S(2) * t355 * t360;
-  const V t377 = p[1] * c[0];
-  const V t381 = c[3] * t356 + c[1] * t290 + c[2] * t192;
-  const V t386 = c[9] * t362 + c[7] * t296 + c[8] * t198;
-  const V t390 = c[6] * t367 + c[4] * t301 + c[5] * t203;
-  const V t391 = t381 + t386 + t390;
-  const V t392 = p[0] * c[0];
-  const V t393 = t391 * t392;
-  const V t394 = t393 + S(2) * t377 * t381;
-  const V t399 = c[41] * t271 - c[42] * t171 - S(0.2679491924311227) * c[43] * t362;
-  const V t403 = c[47] * t262 + c[48] * t160 + S(0.2679491924311227) * c[49] * t356;
-  const V t404 = t403 - t399;
-  const V t405 = t355 * t404;
-  const V t410 = c[3] * t362 + c[1] * t296 + c[2] * t198;
-  const V t414 = c[9] * t356 + c[7] * t290 + c[8] * t192;
-  const V t415 = t410 + t414;
-  const V t416 = t377 * t415;
-  const V t421 = c[41] * t279 - c[42] * t181 - S(0.2679491924311227) * c[43] * t367;
-  const V t425 = c[44] * t262 + c[45] * t160 - S(0.2679491924311227) * c[46] * t356;
-  const V t426 = t421 + t425;
-  const V t427 = t355 * t426;
-  const V t432 = c[3] * t367 + c[1] * t301 + c[2] * t203;
-  const V t436 = c[6] * t356 + c[4] * t290 + c[5] * t192;
-  const V t437 = t432 + t436;
-  const V t438 = t377 * t437;
-  const V t440 = c[49] * t405 - c[43] * t375 - c[46] * t427 - S(51.98076211353316) * (c[3] * t394 +
-      c[9] * t416 + c[6] * t438);
-  const V t441 = t354 - S(3.7320508075688772) * t440;
-  const V t442 = t256 + S(13.928203230275509) * t441;
-  const V t449 = c[72] * t80 + c[78] * t116 + c[75] * t138 + S(51.98076211353316) * (c[58] * t319 +
-      c[55] * t341 - c[52] * t286);
-  const V t456 = c[62] * t187 + c[68] * t220 + c[65] * t242 + S(51.98076211353316) * (c[48] * t405 +
-      c[45] * t427 - c[42] * t375);
-  const V t457 = t449 - S(3.7320508075688772) * t456;
-  const V t464 = c[38] * t127 + c[35] * t149 - c[32] * t105 + S(51.98076211353316) * (c[12] * t308 +
-      c[18] * t330 + c[15] * t352);
-  const V t471 = c[28] * t231 + c[25] * t253 - c[22] * t209 + S(51.98076211353316) * (c[2] * t394 +
-      c[8] * t416 + c[5] * t438);
-  const V t472 = t464 - S(3.7320508075688772) * t471;
-  const V t473 = t457 - S(13.928203230275509) * t472;
-  const V t480 = c[71] * t80 + c[61] * t187 + c[77] * t116 + c[67] * t220 + c[74] * t138 + c[64] *
-      t242;
-  const V t487 = c[51] * t286 + c[41] * t375 + c[57] * t319 + c[47] * t405 + c[54] * t341 + c[44] *
-      t427;
-  const V t488 = t480 - S(193.99484522385714) * t487;
-  const V t495 = c[31] * t105 + c[21] * t209 + c[37] * t127 + c[27] * t231 + c[34] * t149 + c[24] *
-      t253;
-  const V t502 = c[11] * t308 + c[1] * t394 + c[17] * t330 + c[7] * t416 + c[14] * t352 + c[4] *
-      t438;
-  const V t503 = t495 - S(193.99484522385714) * t502;
-  const V t504 = t488 - S(13.928203230275509) * t503;
-  const V t505 = t442 + t473 + t504;
-  const V t507 = t79 + S(2) * t0 * t76;
-  const V t510 = t104 + S(2) * t82 * t101;
-  const V t517 = c[76] * t33 + c[74] * t41 + c[75] * t49;
-  const V t521 = c[79] * t58 + c[77] * t66 + c[78] * t74;
-  const V t522 = t517 + t521;
-  const V t523 = t0 * t522;
-  const V t528 = c[34] * t91 + c[35] * t93 - S(3.7320508075688772) * c[36] * t33;
-  const V t532 = c[37] * t97 + c[38] * t99 + S(3.7320508075688772) * c[39] * t58;
-  const V t533 = t532 - t528;
-  const V t534 = t82 * t533;
-  const V t536 = c[76] * t507 + c[73] * t138 + c[79] * t523 + S(51.98076211353316) * (c[36] * t510 +
-      c[33] * t149 - c[39] * t534);
-  const V t538 = t186 - S(2) * t152 * t183;
-  const V t541 = t208 - S(2) * t189 * t205;
-  const V t548 = c[64] * t41 - S(3.7320508075688772) * (c[66] * t166 + c[65] * t171);
-  const V t552 = c[67] * t66 - S(3.7320508075688772) * (c[69] * t176 + c[68] * t181);
-  const V t553 = t548 + t552;
-  const V t554 = t152 * t553;
-  const V t559 = c[24] * t91 + S(13.928203230275509) * c[26] * t166 - S(3.7320508075688772) * c[25]
-      * t198;
-  const V t563 = c[27] * t97 - S(13.928203230275509) * c[29] * t176 - S(3.7320508075688772) * c[28]
-      * t203;
-  const V t564 = t563 - t559;
-  const V t565 = t189 * t564;
-  const V t567 = c[69] * t554 - c[66] * t538 - c[63] * t242 - S(51.98076211353316) * (c[26] * t541 +
-      c[23] * t253 + c[29] * t565);
-  const V t568 = t536 - S(3.7320508075688772) * t567;
-  const V t570 = t285 - S(2) * t257 * t282;
-  const V t573 = t307 - S(2) * t288 * t304;
-  const V t580 = c[54] * t271 + S(0.071796769724490825) * c[56] * t267 - S(0.2679491924311227) *
-      c[55] * t49;
-  const V t584 = c[57] * t279 - S(0.071796769724490825) * c[59] * t275 - S(0.2679491924311227) *
-      c[58] * t74;
-  const V t585 = t584 - t580;
-  const V t586 = t257 * t585;
-  const V t591 = c[14] * t296 - S(0.2679491924311227) * (c[16] * t267 + c[15] * t93);
-  const V t595 = c[17] * t301 - S(0.2679491924311227) * (c[19] * t275 + c[18] * t99);
-  const V t596 = t591 + t595;
-  const V t597 = t288 * t596;
-  const V t599 = c[56] * t570 + c[53] * t341 + c[59] * t586 + S(51.98076211353316) * (c[16] * t573 +
-      c[13] * t352 - c[19] * t597);
-  const V t601 = t374 + S(2) * t355 * t371;
-  const V t604 = t393 + S(2) * t377 * t390;
-  const V t611 = c[44] * t271 + c[45] * t171 - S(0.2679491924311227) * c[46] * t362;
-  const V t615 = c[47] * t279 + c[48] * t181 + S(0.2679491924311227) * c[49] * t367;
-  const V t616 = t615 - t611;
-  const V t617 = t355 * t616;
-  const V t622 = c[6] * t362 + c[4] * t296 + c[5] * t198;
-  const V t626 = c[9] * t367 + c[7] * t301 + c[8] * t203;
-  const V t627 = t622 + t626;
-  const V t628 = t377 * t627;
-  const V t630 = c[49] * t617 - c[46] * t601 - c[43] * t427 - S(51.98076211353316) * (c[6] * t604 +
-      c[3] * t438 + c[9] * t628);
-  const V t631 = t599 - S(3.7320508075688772) * t630;
-  const V t632 = t568 + S(13.928203230275509) * t631;
-  const V t639 = c[75] * t507 + c[72] * t138 + c[78] * t523 + S(51.98076211353316) * (c[52] * t341 +
-      c[58] * t586 - c[55] * t570);
-  const V t646 = c[68] * t554 - c[65] * t538 - c[62] * t242 + S(51.98076211353316) * (c[45] * t601 +
-      c[48] * t617 - c[42] * t427);
-  const V t647 = t639 - S(3.7320508075688772) * t646;
-  const V t654 = c[35] * t510 + c[38] * t534 - c[32] * t149 + S(51.98076211353316) * (c[18] * t597 -
-      c[15] * t573 - c[12] * t352);
-  const V t661 = c[22] * t253 + c[28] * t565 - c[25] * t541 + S(51.98076211353316) * (c[5] * t604 +
-      c[2] * t438 + c[8] * t628);
-  const V t662 = t654 - S(3.7320508075688772) * t661;
-  const V t663 = t647 - S(13.928203230275509) * t662;
-  const V t670 = c[74] * t507 + c[71] * t138 + c[77] * t523 + c[67] * t554 - c[64] * t538 - c[61] *
-      t242;
-  const V t677 = c[44] * t601 + c[41] * t427 + c[57] * t586 + c[47] * t617 - c[54] * t570 - c[51] *
-      t341;
-  const V t678 = t670 - S(193.99484522385714) * t677;
-  const V t685 = c[34] * t510 + c[31] * t149 + c[37] * t534 + c[27] * t565 - c[24] * t541 - c[21] *
-      t253;
-  const V t692 = c[4] * t604 + c[1] * t438 + c[17] * t597 + c[7] * t628 - c[14] * t573 - c[11] *
-      t352;
-  const V t693 = t685 - S(193.99484522385714) * t692;
-  const V t694 = t678 - S(13.928203230275509) * t693;
-  const V t695 = t632 + t663 + t694;
-  const V t699 = t79 + S(2) * t0 * t51;
-  const V t702 = t104 - S(2) * t82 * t95;
-  const V t706 = c[73] * t116 + c[79] * t699 + c[76] * t523 + S(51.98076211353316) * (c[39] * t702 -
-      c[33] * t127 - c[36] * t534);
-  const V t710 = t186 - S(2) * t152 * t173;
-  const V t713 = t208 + S(2) * t189 * t200;
-  const V t717 = c[63] * t220 + c[69] * t710 - c[66] * t554 + S(51.98076211353316) * (c[29] * t713 +
-      c[26] * t565 - c[23] * t231);
-  const V t718 = t706 + S(3.7320508075688772) * t717;
-  const V t722 = t285 + S(2) * t257 * t274;
-  const V t725 = t307 - S(2) * t288 * t299;
-  const V t729 = c[59] * t722 + c[56] * t586 - c[53] * t319 + S(51.98076211353316) * (c[13] * t330 +
-      c[19] * t725 - c[16] * t597);
-  const V t733 = t374 - S(2) * t355 * t366;
-  const V t736 = t393 + S(2) * t377 * t386;
-  const V t740 = c[49] * t733 - c[43] * t405 - c[46] * t617 + S(51.98076211353316) * (c[3] * t416 +
-      c[9] * t736 + c[6] * t628);
-  const V t741 = t729 + S(3.7320508075688772) * t740;
-  const V t742 = t718 + S(13.928203230275509) * t741;
-  const V t749 = c[72] * t116 + c[78] * t699 + c[75] * t523 + S(51.98076211353316) * (c[58] * t722 -
-      c[52] * t319 - c[55] * t586);
-  const V t756 = c[62] * t220 + c[68] * t710 - c[65] * t554 + S(51.98076211353316) * (c[48] * t733 +
-      c[45] * t617 - c[42] * t405);
-  const V t757 = t749 + S(3.7320508075688772) * t756;
-  const V t764 = c[38] * t702 + c[35] * t534 - c[32] * t127 + S(51.98076211353316) * (c[12] * t330 +
-      c[18] * t725 - c[15] * t597);
-  const V t771 = c[28] * t713 - c[22] * t231 - c[25] * t565 + S(51.98076211353316) * (c[2] * t416 +
-      c[8] * t736 + c[5] * t628);
-  const V t772 = t764 + S(3.7320508075688772) * t771;
-  const V t773 = t757 + S(13.928203230275509) * t772;
-  const V t780 = c[71] * t116 + c[77] * t699 + c[74] * t523 + c[64] * t554 - c[61] * t220 - c[67] *
-      t710;
-  const V t787 = c[51] * t319 + c[57] * t722 - c[41] * t405 - c[47] * t733 - c[54] * t586 - c[44] *
-      t617;
-  const V t788 = t780 - S(193.99484522385714) * t787;
-  const V t795 = c[31] * t127 + c[37] * t702 + c[34] * t534 + c[24] * t565 - c[21] * t231 - c[27] *
-      t713;
-  const V t802 = c[11] * t330 + c[17] * t725 - c[1] * t416 - c[7] * t736 - c[14] * t597 - c[4] *
-      t628;
-  const V t803 = t795 - S(193.99484522385714) * t802;
-  const V t804 = t788 + S(13.928203230275509) * t803;
-  const V t805 = t742 + t773 + t804;
-  const V t806 = t151 - S(0.2679491924311227) * t255;
-  const V t807 = t354 - S(0.2679491924311227) * t440;
-  const V t808 = t806 + S(13.928203230275509) * t807;
-  const V t809 = t449 - S(0.2679491924311227) * t456;
-  const V t810 = t464 - S(0.2679491924311227) * t471;
-  const V t811 = t809 - S(13.928203230275509) * t810;
-  const V t812 = t504 - S(3.7320508075688772) * (t808 + t811);
-  const V t813 = t536 - S(0.2679491924311227) * t567;
-  const V t814 = t599 - S(0.2679491924311227) * t630;
-  const V t815 = t813 + S(13.928203230275509) * t814;
-  const V t816 = t639 - S(0.2679491924311227) * t646;
-  const V t817 = t654 - S(0.2679491924311227) * t661;
-  const V t818 = t816 - S(13.928203230275509) * t817;
-  const V t819 = t694 - S(3.7320508075688772) * (t815 + t818);
-  const V t820 = t706 + S(0.2679491924311227) * t717;
-  const V t821 = t729 + S(0.2679491924311227) * t740;
-  const V t822 = t820 + S(13.928203230275509) * t821;
-  const V t823 = t749 + S(0.2679491924311227) * t756;
-  const V t824 = t764 + S(0.2679491924311227) * t771;
-  const V t825 = t823 + S(13.928203230275509) * t824;
-  const V t826 = t804 - S(3.7320508075688772) * (t822 + t825);
-  const V t827 = t806 + t807;
-  const V t828 = t480 - S(13.928203230275509) * t487;
-  const V t829 = t495 - S(13.928203230275509) * t502;
-  const V t830 = t828 - S(13.928203230275509) * t829;
-  const V t831 = t811 + t830 - S(3.7320508075688772) * t827;
-  const V t832 = t813 + t814;
-  const V t833 = t670 - S(13.928203230275509) * t677;
-  const V t834 = t685 - S(13.928203230275509) * t692;
-  const V t835 = t833 - S(13.928203230275509) * t834;
-  const V t836 = t818 + t835 - S(3.7320508075688772) * t832;
-  const V t837 = t820 + t821;
-  const V t838 = t780 - S(13.928203230275509) * t787;
-  const V t839 = t795 - S(13.928203230275509) * t802;
-  const V t840 = t838 + S(13.928203230275509) * t839;
-  const V t841 = t825 + t840 - S(3.7320508075688772) * t837;
-  const V t842 = t256 + t441;
-  const V t843 = t473 - S(3.7320508075688772) * (t830 + t842);
-  const V t844 = t568 + t631;
-  const V t845 = t663 - S(3.7320508075688772) * (t835 + t844);
-  const V t846 = t718 + t741;
-  const V t847 = t773 - S(3.7320508075688772) * (t840 + t846);
-  const V t848 = t457 - t472;
-  const V t849 = t488 - t503;
-  const V t850 = t442 - S(3.7320508075688772) * (t848 + t849);
-  const V t851 = t647 - t662;
-  const V t852 = t678 - t693;
-  const V t853 = t632 - S(3.7320508075688772) * (t851 + t852);
-  const V t854 = t757 + t772;
-  const V t855 = t788 + t803;
-  const V t856 = t742 - S(3.7320508075688772) * (t854 + t855);
-  const V t857 = t809 - t810;
-  const V t858 = t808 + t849 - S(3.7320508075688772) * t857;
-  const V t859 = t816 - t817;
-  const V t860 = t815 + t852 - S(3.7320508075688772) * t859;
-  const V t861 = t823 + t824;
-  const V t862 = t822 + t855 - S(3.7320508075688772) * t861;
-  const V t863 = t828 - t829;
-  const V t864 = t827 + t857 + t863;
-  const V t865 = t833 - t834;
-  const V t866 = t832 + t859 + t865;
-  const V t867 = t838 + t839;
-  const V t868 = t837 + t861 + t867;
-  const V t869 = t842 + t848 - S(3.7320508075688772) * t863;
-  const V t870 = t844 + t851 - S(3.7320508075688772) * t865;
-  const V t871 = t846 + t854 - S(3.7320508075688772) * t867;
-  out[0] = -S(1.1133036149792012e-05) * t505;
-  out[1] = -S(1.1133036149792012e-05) * t695;
-  out[2] = -S(1.1133036149792012e-05) * t805;
-  out[3] = S(1.1133036149792012e-05) * t812;
-  out[4] = S(1.1133036149792012e-05) * t819;
-  out[5] = S(1.1133036149792012e-05) * t826;
-  out[6] = S(4.154905655352478e-05) * t831;
-  out[7] = S(4.154905655352478e-05) * t836;
-  out[8] = S(4.154905655352478e-05) * t841;
-  out[9] = S(1.1133036149792012e-05) * t843;
-  out[10] = S(1.1133036149792012e-05) * t845;
-  out[11] = S(1.1133036149792012e-05) * t847;
-  out[12] = S(1.1133036149792012e-05) * t850;
-  out[13] = S(1.1133036149792012e-05) * t853;
-  out[14] = S(1.1133036149792012e-05) * t856;
-  out[15] = S(4.154905655352478e-05) * t858;
-  out[16] = S(4.154905655352478e-05) * t860;
-  out[17] = S(4.154905655352478e-05) * t862;
-  out[18] = S(0.00015506319006430711) * t864;
-  out[19] = S(0.00015506319006430711) * t866;
-  out[20] = S(0.00015506319006430711) * t868;
-  out[21] = S(4.154905655352478e-05) * t869;
-  out[22] = S(4.154905655352478e-05) * t870;
-  out[23] = S(4.154905655352478e-05) * t871;
+  V du[72];
+  interpolate<V>(kernel::Inputs<V>{x, p, c, u, v, s}, du, margin);
+  V result[72];
+  for (int g = 0; g < 8; ++g) {
+    forces_at_point<V>(kernel::Inputs<V>{x, p, c + 10 * g, du + 9 * g, v, s}, result + 9 * g,
+        margin);
+  }
+  integrate<V>(kernel::Inputs<V>{x, p, c, result, v, s}, out, margin);
 }
 
-/// product: 1402 flops per element
+/// product: 110 flops per element and point
+template <class V>
+inline void product_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
+    [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  const V t3 = c[1] * v[6] + c[3] * v[8] + c[2] * v[7];
+  const V t7 = c[7] * v[0] + c[9] * v[2] + c[8] * v[1];
+  const V t8 = t3 + t7;
+  const V t9 = p[1] * c[0];
+  const V t10 = t8 * t9;
+  const V t15 = c[1] * v[0] + c[3] * v[2] + c[2] * v[1];
+  const V t17 = p[0] * c[0];
+  const V t21 = c[7] * v[6] + c[9] * v[8] + c[8] * v[7];
+  const V t25 = c[5] * v[4] + c[4] * v[3] + c[6] * v[5];
+  const V t26 = t15 + t21 + t25;
+  const V t27 = t17 * t26;
+  const V t28 = t27 + S(2) * t9 * t15;
+  const V t33 = c[4] * v[0] + c[6] * v[2] + c[5] * v[1];
+  const V t37 = c[2] * v[4] + c[1] * v[3] + c[3] * v[5];
+  const V t38 = t33 + t37;
+  const V t39 = t9 * t38;
+  const V t41 = c[7] * t10 + c[1] * t28 + c[4] * t39;
+  const V t45 = c[8] * t10 + c[2] * t28 + c[5] * t39;
+  const V t49 = c[9] * t10 + c[3] * t28 + c[6] * t39;
+  const V t53 = c[4] * v[6] + c[6] * v[8] + c[5] * v[7];
+  const V t57 = c[8] * v[4] + c[7] * v[3] + c[9] * v[5];
+  const V t58 = t53 + t57;
+  const V t59 = t9 * t58;
+  const V t62 = t27 + S(2) * t9 * t25;
+  const V t65 = c[7] * t59 + c[4] * t62 + c[1] * t39;
+  const V t69 = c[8] * t59 + c[5] * t62 + c[2] * t39;
+  const V t73 = c[9] * t59 + c[6] * t62 + c[3] * t39;
+  const V t77 = t27 + S(2) * t9 * t21;
+  const V t79 = c[1] * t10 + c[4] * t59 + c[7] * t77;
+  const V t83 = c[2] * t10 + c[5] * t59 + c[8] * t77;
+  const V t87 = c[3] * t10 + c[6] * t59 + c[9] * t77;
+  out[0] = t41;
+  out[1] = t45;
+  out[2] = t49;
+  out[3] = t65;
+  out[4] = t69;
+  out[5] = t73;
+  out[6] = t79;
+  out[7] = t83;
+  out[8] = t87;
+}
+
+/// product: 1396 flops per element
 template <class V>
 inline void product([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
   using S [[maybe_unused]] = kernel::Scalar<V>;
   [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
-  const V t0 = p[1] * c[70];
-  const V t1 = v[12] - v[21];
-  const V t2 = v[15] - v[18];
-  const V t3 = t1 + S(3.7320508075688772) * t2;
-  const V t4 = v[3] - v[6];
-  const V t5 = v[0] - v[9];
-  const V t6 = t5 + S(3.7320508075688772) * t4;
-  const V t7 = t6 + S(3.7320508075688772) * t3;
-  const V t9 = v[6] - v[18];
-  const V t10 = v[9] - v[21];
-  const V t11 = t9 + S(0.2679491924311227) * t10;
-  const V t12 = v[0] - v[12];
-  const V t13 = v[3] - v[15];
-  const V t14 = t12 + S(3.7320508075688772) * t13;
-  const V t15 = t14 + S(13.928203230275509) * t11;
-  const V t17 = v[0] - v[3];
-  const V t18 = v[6] - v[9];
-  const V t19 = t17 - S(3.7320508075688772) * t18;
-  const V t20 = v[12] - v[15];
-  const V t21 = v[18] - v[21];
-  const V t22 = t20 - S(3.7320508075688772) * t21;
-  const V t23 = t19 + S(3.7320508075688772) * t22;
-  const V t25 = c[75] * t7 + c[76] * t15 + c[74] * t23;
-  const V t26 = v[7] - v[19];
-  const V t27 = v[10] - v[22];
-  const V t28 = t26 + S(0.2679491924311227) * t27;
-  const V t29 = v[1] - v[13];
-  const V t30 = v[4] - v[16];
-  const V t31 = t29 + S(3.7320508075688772) * t30;
-  const V t32 = t31 + S(13.928203230275509) * t28;
-  const V t34 = v[1] - v[10];
-  const V t35 = v[4] - v[7];
-  const V t36 = t34 + S(3.7320508075688772) * t35;
-  const V t37 = v[13] - v[22];
-  const V t38 = v[16] - v[19];
-  const V t39 = t37 + S(3.7320508075688772) * t38;
-  const V t40 = t36 + S(3.7320508075688772) * t39;
-  const V t42 = v[19] - v[22];
-  const V t43 = v[13] - v[16];
-  const V t44 = t43 - S(3.7320508075688772) * t42;
-  const V t45 = v[1] - v[4];
-  const V t46 = v[7] - v[10];
-  const V t47 = t45 - S(3.7320508075688772) * t46;
-  const V t48 = t47 + S(3.7320508075688772) * t44;
-  const V t50 = c[73] * t32 + c[72] * t40 + c[71] * t48;
-  const V t51 = t25 + t50;
-  const V t52 = t0 * t51;
-  const V t54 = p[1] * c[30];
-  const V t55 = t6 + S(0.2679491924311227) * t3;
-  const V t58 = t19 + S(0.2679491924311227) * t22;
-  const V t60 = c[35] * t55 + c[34] * t58 - S(3.7320508075688772) * c[36] * t15;
-  const V t62 = t36 + S(0.2679491924311227) * t39;
-  const V t64 = t47 + S(0.2679491924311227) * t44;
-  const V t66 = c[31] * t64 - c[32] * t62 - S(3.7320508075688772) * c[33] * t32;
-  const V t67 = t60 + t66;
-  const V t68 = t54 * t67;
-  const V t70 = p[0] * c[70];
-  const V t74 = c[72] * t7 + c[73] * t15 + c[71] * t23;
-  const V t75 = v[5] - v[8];
-  const V t76 = v[2] - v[11];
-  const V t77 = t76 + S(3.7320508075688772) * t75;
-  const V t78 = v[14] - v[23];
-  const V t79 = v[17] - v[20];
-  const V t80 = t78 + S(3.7320508075688772) * t79;
-  const V t81 = t77 + S(3.7320508075688772) * t80;
-  const V t83 = v[2] - v[5];
-  const V t84 = v[8] - v[11];
-  const V t85 = t83 - S(3.7320508075688772) * t84;
-  const V t86 = v[20] - v[23];
-  const V t87 = v[14] - v[17];
-  const V t88 = t87 - S(3.7320508075688772) * t86;
-  const V t89 = t85 + S(3.7320508075688772) * t88;
-  const V t91 = v[11] - v[23];
-  const V t92 = v[8] - v[20];
-  const V t93 = t92 + S(0.2679491924311227) * t91;
-  const V t94 = v[2] - v[14];
-  const V t95 = v[5] - v[17];
-  const V t96 = t94 + S(3.7320508075688772) * t95;
-  const V t97 = t96 + S(13.928203230275509) * t93;
-  const V t99 = c[78] * t81 + c[77] * t89 + c[79] * t97;
-  const V t103 = c[76] * t32 + c[75] * t40 + c[74] * t48;
-  const V t104 = t74 + t99 + t103;
-  const V t105 = t70 * t104;
-  const V t107 = t105 + S(2) * t0 * t74;
-  const V t109 = p[0] * c[30];
-  const V t113 = c[31] * t58 - c[32] * t55 - S(3.7320508075688772) * c[33] * t15;
-  const V t114 = t77 + S(0.2679491924311227) * t80;
-  const V t116 = t85 + S(0.2679491924311227) * t88;
-  const V t119 = c[38] * t114 + c[37] * t116 + S(3.7320508075688772) * c[39] * t97;
-  const V t123 = c[35] * t62 + c[34] * t64 - S(3.7320508075688772) * c[36] * t32;
-  const V t124 = t113 + t123 - t119;
-  const V t125 = t109 * t124;
-  const V t127 = t125 + S(2) * t54 * t113;
-  const V t132 = c[78] * t7 + c[79] * t15 + c[77] * t23;
-  const V t136 = c[72] * t81 + c[71] * t89 + c[73] * t97;
-  const V t137 = t132 + t136;
-  const V t138 = t0 * t137;
-  const V t143 = c[38] * t55 + c[37] * t58 + S(3.7320508075688772) * c[39] * t15;
-  const V t147 = c[31] * t116 - c[32] * t114 - S(3.7320508075688772) * c[33] * t97;
-  const V t148 = t143 - t147;
-  const V t149 = t54 * t148;
-  const V t151 = c[76] * t52 + c[73] * t107 + c[79] * t138 + S(51.98076211353316) * (c[36] * t68 +
-      c[33] * t127 - c[39] * t149);
-  const V t152 = p[1] * c[60];
-  const V t153 = t1 + S(0.2679491924311227) * t2;
-  const V t154 = t5 + S(0.2679491924311227) * t4;
-  const V t155 = t154 + S(3.7320508075688772) * t153;
-  const V t157 = t9 + S(3.7320508075688772) * t10;
-  const V t158 = t12 + S(0.2679491924311227) * t13;
-  const V t159 = t157 + t158;
-  const V t162 = c[64] * t23 - S(3.7320508075688772) * (c[65] * t155 + c[66] * t159);
-  const V t163 = t26 + S(3.7320508075688772) * t27;
-  const V t164 = t29 + S(0.2679491924311227) * t30;
-  const V t165 = t163 + t164;
-  const V t167 = t34 + S(0.2679491924311227) * t35;
-  const V t168 = t37 + S(0.2679491924311227) * t38;
-  const V t169 = t167 + S(3.7320508075688772) * t168;
-  const V t172 = c[61] * t48 - S(3.7320508075688772) * (c[63] * t165 + c[62] * t169);
-  const V t173 = t162 - t172;
-  const V t174 = t152 * t173;
-  const V t176 = p[1] * c[20];
-  const V t177 = t154 + S(0.2679491924311227) * t153;
-  const V t181 = c[24] * t58 - S(3.7320508075688772) * c[25] * t177 + S(13.928203230275509) * c[26]
-      * t159;
-  const V t183 = t167 + S(0.2679491924311227) * t168;
-  const V t186 = c[21] * t64 + S(13.928203230275509) * c[23] * t165 + S(3.7320508075688772) * c[22]
-      * t183;
-  const V t187 = t181 - t186;
-  const V t188 = t176 * t187;
-  const V t190 = p[0] * c[60];
-  const V t194 = c[61] * t23 - S(3.7320508075688772) * (c[62] * t155 + c[63] * t159);
-  const V t195 = t76 + S(0.2679491924311227) * t75;
-  const V t196 = t78 + S(0.2679491924311227) * t79;
-  const V t197 = t195 + S(3.7320508075688772) * t196;
-  const V t200 = t92 + S(3.7320508075688772) * t91;
-  const V t201 = t94 + S(0.2679491924311227) * t95;
-  const V t202 = t200 + t201;
-  const V t204 = c[67] * t89 - S(3.7320508075688772) * (c[68] * t197 + c[69] * t202);
-  const V t208 = c[64] * t48 - S(3.7320508075688772) * (c[66] * t165 + c[65] * t169);
-  const V t209 = t194 - t204 - t208;
-  const V t210 = t190 * t209;
-  const V t212 = t210 + S(2) * t152 * t194;
-  const V t214 = p[0] * c[20];
-  const V t218 = c[21] * t58 + S(3.7320508075688772) * c[22] * t177 + S(13.928203230275509) * c[23]
-      * t159;
-  const V t219 = t195 + S(0.2679491924311227) * t196;
-  const V t223 = c[27] * t116 - S(3.7320508075688772) * c[28] * t219 - S(13.928203230275509) * c[29]
-      * t202;
-  const V t227 = c[24] * t64 + S(13.928203230275509) * c[26] * t165 - S(3.7320508075688772) * c[25]
-      * t183;
-  const V t228 = t218 + t223 - t227;
-  const V t229 = t214 * t228;
-  const V t231 = t229 + S(2) * t176 * t218;
-  const V t236 = c[67] * t23 - S(3.7320508075688772) * (c[68] * t155 + c[69] * t159);
-  const V t240 = c[61] * t89 - S(3.7320508075688772) * (c[62] * t197 + c[63] * t202);
-  const V t241 = t236 - t240;
-  const V t242 = t152 * t241;
-  const V t247 = c[27] * t58 - S(3.7320508075688772) * c[28] * t177 - S(13.928203230275509) * c[29]
-      * t159;
-  const V t251 = c[21] * t116 + S(3.7320508075688772) * c[22] * t219 + S(13.928203230275509) * c[23]
-      * t202;
-  const V t252 = t247 + t251;
-  const V t253 = t176 * t252;
-  const V t255 = c[66] * t174 + c[63] * t212 + c[69] * t242 + S(51.98076211353316) * (c[26] * t188 +
-      c[23] * t231 - c[29] * t253);
-  const V t256 = t151 - S(3.7320508075688772) * t255;
-  const V t257 = p[1] * c[50];
-  const V t259 = t11 + t14;
-  const V t261 = t17 - S(0.2679491924311227) * t18;
-  const V t262 = t20 - S(0.2679491924311227) * t21;
-  const V t263 = t261 + S(3.7320508075688772) * t262;
-  const V t265 = c[54] * t263 - S(0.2679491924311227) * c[55] * t7 + S(0.071796769724490825) * c[56]
-      * t259;
-  const V t266 = t28 + t31;
-  const V t269 = t43 - S(0.2679491924311227) * t42;
-  const V t270 = t45 - S(0.2679491924311227) * t46;
-  const V t271 = t270 + S(3.7320508075688772) * t269;
-  const V t273 = c[51] * t271 + S(0.071796769724490825) * c[53] * t266 + S(0.2679491924311227) *
-      c[52] * t40;
-  const V t274 = t265 - t273;
-  const V t275 = t257 * t274;
-  const V t277 = p[1] * c[10];
-  const V t280 = t261 + S(0.2679491924311227) * t262;
-  const V t282 = c[14] * t280 - S(0.2679491924311227) * (c[15] * t55 + c[16] * t259);
-  const V t285 = t270 + S(0.2679491924311227) * t269;
-  const V t287 = c[11] * t285 - S(0.2679491924311227) * (c[13] * t266 + c[12] * t62);
-  const V t288 = t282 - t287;
-  const V t289 = t277 * t288;
-  const V t291 = p[0] * c[50];
-  const V t295 = c[51] * t263 + S(0.2679491924311227) * c[52] * t7 + S(0.071796769724490825) * c[53]
-      * t259;
-  const V t297 = t83 - S(0.2679491924311227) * t84;
-  const V t298 = t87 - S(0.2679491924311227) * t86;
-  const V t299 = t297 + S(3.7320508075688772) * t298;
-  const V t301 = t93 + t96;
-  const V t303 = c[57] * t299 - S(0.2679491924311227) * c[58] * t81 - S(0.071796769724490825) *
-      c[59] * t301;
-  const V t307 = c[54] * t271 + S(0.071796769724490825) * c[56] * t266 - S(0.2679491924311227) *
-      c[55] * t40;
-  const V t308 = t295 + t303 - t307;
-  const V t309 = t291 * t308;
-  const V t311 = t309 + S(2) * t257 * t295;
-  const V t313 = p[0] * c[10];
-  const V t317 = c[11] * t280 - S(0.2679491924311227) * (c[12] * t55 + c[13] * t259);
-  const V t319 = t297 + S(0.2679491924311227) * t298;
-  const V t322 = c[17] * t319 - S(0.2679491924311227) * (c[18] * t114 + c[19] * t301);
-  const V t326 = c[14] * t285 - S(0.2679491924311227) * (c[16] * t266 + c[15] * t62);
-  const V t327 = t317 - t322 - t326;
-  const V t328 = t313 * t327;
-  const V t330 = t328 + S(2) * t277 * t317;
-  const V t335 = c[57] * t263 - S(0.2679491924311227) * c[58] * t7 - S(0.071796769724490825) * c[59]
-      * t259;
-  const V t339 = c[51] * t299 + S(0.2679491924311227) * c[52] * t81 + S(0.071796769724490825) *
-      c[53] * t301;
-  const V t340 = t335 + t339;
-  const V t341 = t257 * t340;
-  const V t346 = c[17] * t280 - S(0.2679491924311227) * (c[18] * t55 + c[19] * t259);
-  const V t350 = c[11] * t319 - S(0.2679491924311227) * (c[12] * t114 + c[13] * t301);
-  const V t351 = t346 - t350;
-  const V t352 = t277 * t351;
-  const V t354 = c[59] * t341 - c[56] * t275 - c[53] * t311 - S(51.98076211353316) * (c[16] * t289 +
-      c[13] * t330 + c[19] * t352);
-  const V t355 = p[1] * c[40];
-  const V t357 = t158 + S(0.071796769724490825) * t157;
-  const V t360 = c[45] * t155 + c[44] * t263 - S(0.2679491924311227) * c[46] * t357;
-  const V t361 = t164 + S(0.071796769724490825) * t163;
-  const V t365 = c[41] * t271 - c[42] * t169 - S(0.2679491924311227) * c[43] * t361;
-  const V t366 = t360 + t365;
-  const V t367 = t355 * t366;
-  const V t369 = p[1] * c[0];
-  const V t373 = c[5] * t177 + c[6] * t357 + c[4] * t280;
-  const V t377 = c[3] * t361 + c[2] * t183 + c[1] * t285;
-  const V t378 = t373 + t377;
-  const V t379 = t369 * t378;
-  const V t381 = p[0] * c[40];
-  const V t385 = c[41] * t263 - c[42] * t155 - S(0.2679491924311227) * c[43] * t357;
-  const V t388 = t201 + S(0.071796769724490825) * t200;
-  const V t390 = c[48] * t197 + c[47] * t299 + S(0.2679491924311227) * c[49] * t388;
-  const V t394 = c[45] * t169 + c[44] * t271 - S(0.2679491924311227) * c[46] * t361;
-  const V t395 = t385 + t394 - t390;
-  const V t396 = t381 * t395;
-  const V t398 = t396 + S(2) * t355 * t385;
-  const V t400 = p[0] * c[0];
-  const V t404 = c[2] * t177 + c[3] * t357 + c[1] * t280;
-  const V t408 = c[8] * t219 + c[7] * t319 + c[9] * t388;
-  const V t412 = c[6] * t361 + c[5] * t183 + c[4] * t285;
-  const V t413 = t404 + t408 + t412;
-  const V t414 = t400 * t413;
-  const V t416 = t414 + S(2) * t369 * t404;
-  const V t421 = c[48] * t155 + c[47] * t263 + S(0.2679491924311227) * c[49] * t357;
-  const V t425 = c[41] * t299 - c[42] * t197 - S(0.2679491924311227) * c[43] * t388;
-  const V t426 = t421 - t425;
-  const V t427 = t355 * t426;
-  const V t432 = c[8] * t177 + c[9] * t357 + c[7] * t280;
-  const V t436 = c[2] * t219 + c[1] * t319 + c[3] * t388;
-  const V t437 = t432 + t436;
-  const V t438 = t369 * t437;
-  const V t440 = c[49] * t427 - c[46] * t367 - c[43] * t398 - S(51.98076211353316) * (c[6] * t379 +
-      c[3] * t416 + c[9] * t438);
-  const V t441 = t354 - S(3.7320508075688772) * t440;
-  const V t442 = t256 + S(13.928203230275509) * t441;
-  const V t449 = c[75] * t52 + c[72] * t107 + c[78] * t138 + S(51.98076211353316) * (c[55] * t275 +
-      c[58] * t341 - c[52] * t311);
-  const V t456 = c[65] * t174 + c[62] * t212 + c[68] * t242 + S(51.98076211353316) * (c[45] * t367 +
-      c[48] * t427 - c[42] * t398);
-  const V t457 = t449 - S(3.7320508075688772) * t456;
-  const V t464 = c[35] * t68 + c[38] * t149 - c[32] * t127 + S(51.98076211353316) * (c[15] * t289 +
-      c[12] * t330 + c[18] * t352);
-  const V t471 = c[25] * t188 + c[28] * t253 - c[22] * t231 + S(51.98076211353316) * (c[5] * t379 +
-      c[2] * t416 + c[8] * t438);
-  const V t472 = t464 - S(3.7320508075688772) * t471;
-  const V t473 = t457 - S(13.928203230275509) * t472;
-  const V t480 = c[74] * t52 + c[64] * t174 + c[71] * t107 + c[61] * t212 + c[77] * t138 + c[67] *
-      t242;
-  const V t487 = c[54] * t275 + c[44] * t367 + c[51] * t311 + c[41] * t398 + c[57] * t341 + c[47] *
-      t427;
-  const V t488 = t480 - S(193.99484522385714) * t487;
-  const V t495 = c[34] * t68 + c[24] * t188 + c[31] * t127 + c[21] * t231 + c[37] * t149 + c[27] *
-      t253;
-  const V t502 = c[14] * t289 + c[4] * t379 + c[11] * t330 + c[1] * t416 + c[17] * t352 + c[7] *
-      t438;
-  const V t503 = t495 - S(193.99484522385714) * t502;
-  const V t504 = t488 - S(13.928203230275509) * t503;
-  const V t505 = t442 + t473 + t504;
-  const V t509 = t105 + S(2) * t0 * t103;
-  const V t512 = t125 + S(2) * t54 * t123;
-  const V t517 = c[75] * t81 + c[74] * t89 + c[76] * t97;
-  const V t521 = c[79] * t32 + c[78] * t40 + c[77] * t48;
-  const V t522 = t517 + t521;
-  const V t523 = t0 * t522;
-  const V t528 = c[35] * t114 + c[34] * t116 - S(3.7320508075688772) * c[36] * t97;
-  const V t532 = c[38] * t62 + c[37] * t64 + S(3.7320508075688772) * c[39] * t32;
-  const V t533 = t532 - t528;
-  const V t534 = t54 * t533;
-  const V t536 = c[73] * t52 + c[76] * t509 + c[79] * t523 + S(51.98076211353316) * (c[33] * t68 +
-      c[36] * t512 - c[39] * t534);
-  const V t540 = t210 - S(2) * t152 * t208;
-  const V t543 = t229 - S(2) * t176 * t227;
-  const V t548 = c[64] * t89 - S(3.7320508075688772) * (c[65] * t197 + c[66] * t202);
-  const V t552 = c[67] * t48 - S(3.7320508075688772) * (c[69] * t165 + c[68] * t169);
-  const V t553 = t548 + t552;
-  const V t554 = t152 * t553;
-  const V t559 = c[24] * t116 - S(3.7320508075688772) * c[25] * t219 + S(13.928203230275509) * c[26]
-      * t202;
-  const V t563 = c[27] * t64 - S(13.928203230275509) * c[29] * t165 - S(3.7320508075688772) * c[28]
-      * t183;
-  const V t564 = t563 - t559;
-  const V t565 = t176 * t564;
-  const V t567 = c[69] * t554 - c[63] * t174 - c[66] * t540 - S(51.98076211353316) * (c[23] * t188 +
-      c[26] * t543 + c[29] * t565);
-  const V t568 = t536 - S(3.7320508075688772) * t567;
-  const V t572 = t309 - S(2) * t257 * t307;
-  const V t575 = t328 - S(2) * t277 * t326;
-  const V t580 = c[54] * t299 - S(0.2679491924311227) * c[55] * t81 + S(0.071796769724490825) *
-      c[56] * t301;
-  const V t584 = c[57] * t271 - S(0.071796769724490825) * c[59] * t266 - S(0.2679491924311227) *
-      c[58] * t40;
-  const V t585 = t584 - t580;
-  const V t586 = t257 * t585;
-  const V t591 = c[14] * t319 - S(0.2679491924311227) * (c[15] * t114 + c[16] * t301);
-  const V t595 = c[17] * t285 - S(0.2679491924311227) * (c[19] * t266 + c[18] * t62);
-  const V t596 = t591 + t595;
-  const V t597 = t277 * t596;
-  const V t599 = c[53] * t275 + c[56] * t572 + c[59] * t586 + S(51.98076211353316) * (c[13] * t289 +
-      c[16] * t575 - c[19] * t597);
-  const V t603 = t396 + S(2) * t355 * t394;
-  const V t606 = t414 + S(2) * t369 * t412;
-  const V t611 = c[45] * t197 + c[44] * t299 - S(0.2679491924311227) * c[46] * t388;
-  const V t615 = c[48] * t169 + c[47] * t271 + S(0.2679491924311227) * c[49] * t361;
-  const V t616 = t615 - t611;
-  const V t617 = t355 * t616;
-  const V t622 = c[5] * t219 + c[4] * t319 + c[6] * t388;
-  const V t626 = c[9] * t361 + c[8] * t183 + c[7] * t285;
-  const V t627 = t622 + t626;
-  const V t628 = t369 * t627;
-  const V t630 = c[49] * t617 - c[43] * t367 - c[46] * t603 - S(51.98076211353316) * (c[3] * t379 +
-      c[6] * t606 + c[9] * t628);
-  const V t631 = t599 - S(3.7320508075688772) * t630;
-  const V t632 = t568 + S(13.928203230275509) * t631;
-  const V t639 = c[72] * t52 + c[75] * t509 + c[78] * t523 + S(51.98076211353316) * (c[52] * t275 +
-      c[58] * t586 - c[55] * t572);
-  const V t646 = c[68] * t554 - c[62] * t174 - c[65] * t540 + S(51.98076211353316) * (c[45] * t603 +
-      c[48] * t617 - c[42] * t367);
-  const V t647 = t639 - S(3.7320508075688772) * t646;
-  const V t654 = c[35] * t512 + c[38] * t534 - c[32] * t68 + S(51.98076211353316) * (c[18] * t597 -
-      c[12] * t289 - c[15] * t575);
-  const V t661 = c[22] * t188 + c[28] * t565 - c[25] * t543 + S(51.98076211353316) * (c[2] * t379 +
-      c[5] * t606 + c[8] * t628);
-  const V t662 = t654 - S(3.7320508075688772) * t661;
-  const V t663 = t647 - S(13.928203230275509) * t662;
-  const V t670 = c[71] * t52 + c[74] * t509 + c[77] * t523 + c[67] * t554 - c[61] * t174 - c[64] *
-      t540;
-  const V t677 = c[41] * t367 + c[44] * t603 + c[57] * t586 + c[47] * t617 - c[51] * t275 - c[54] *
-      t572;
-  const V t678 = t670 - S(193.99484522385714) * t677;
-  const V t685 = c[31] * t68 + c[34] * t512 + c[37] * t534 + c[27] * t565 - c[21] * t188 - c[24] *
-      t543;
-  const V t692 = c[1] * t379 + c[4] * t606 + c[17] * t597 + c[7] * t628 - c[11] * t289 - c[14] *
-      t575;
-  const V t693 = t685 - S(193.99484522385714) * t692;
-  const V t694 = t678 - S(13.928203230275509) * t693;
-  const V t695 = t632 + t663 + t694;
-  const V t697 = t105 + S(2) * t0 * t99;
-  const V t700 = t125 - S(2) * t54 * t119;
-  const V t706 = c[79] * t697 + c[73] * t138 + c[76] * t523 + S(51.98076211353316) * (c[39] * t700 -
-      c[33] * t149 - c[36] * t534);
-  const V t708 = t210 - S(2) * t152 * t204;
-  const V t711 = t229 + S(2) * t176 * t223;
-  const V t717 = c[69] * t708 + c[63] * t242 - c[66] * t554 + S(51.98076211353316) * (c[29] * t711 +
-      c[26] * t565 - c[23] * t253);
-  const V t718 = t706 + S(3.7320508075688772) * t717;
-  const V t720 = t309 + S(2) * t257 * t303;
-  const V t723 = t328 - S(2) * t277 * t322;
-  const V t729 = c[59] * t720 + c[56] * t586 - c[53] * t341 + S(51.98076211353316) * (c[19] * t723 +
-      c[13] * t352 - c[16] * t597);
-  const V t731 = t396 - S(2) * t355 * t390;
-  const V t734 = t414 + S(2) * t369 * t408;
-  const V t740 = c[49] * t731 - c[43] * t427 - c[46] * t617 + S(51.98076211353316) * (c[9] * t734 +
-      c[3] * t438 + c[6] * t628);
-  const V t741 = t729 + S(3.7320508075688772) * t740;
-  const V t742 = t718 + S(13.928203230275509) * t741;
-  const V t749 = c[78] * t697 + c[72] * t138 + c[75] * t523 + S(51.98076211353316) * (c[58] * t720 -
-      c[52] * t341 - c[55] * t586);
-  const V t756 = c[68] * t708 + c[62] * t242 - c[65] * t554 + S(51.98076211353316) * (c[48] * t731 +
-      c[45] * t617 - c[42] * t427);
-  const V t757 = t749 + S(3.7320508075688772) * t756;
-  const V t764 = c[38] * t700 + c[35] * t534 - c[32] * t149 + S(51.98076211353316) * (c[18] * t723 +
-      c[12] * t352 - c[15] * t597);
-  const V t771 = c[28] * t711 - c[22] * t253 - c[25] * t565 + S(51.98076211353316) * (c[8] * t734 +
-      c[2] * t438 + c[5] * t628);
-  const V t772 = t764 + S(3.7320508075688772) * t771;
-  const V t773 = t757 + S(13.928203230275509) * t772;
-  const V t780 = c[77] * t697 + c[71] * t138 + c[74] * t523 + c[64] * t554 - c[67] * t708 - c[61] *
-      t242;
-  const V t787 = c[57] * t720 + c[51] * t341 - c[47] * t731 - c[41] * t427 - c[54] * t586 - c[44] *
-      t617;
-  const V t788 = t780 - S(193.99484522385714) * t787;
-  const V t795 = c[37] * t700 + c[31] * t149 + c[34] * t534 + c[24] * t565 - c[27] * t711 - c[21] *
-      t253;
-  const V t802 = c[17] * t723 + c[11] * t352 - c[7] * t734 - c[1] * t438 - c[14] * t597 - c[4] *
-      t628;
-  const V t803 = t795 - S(193.99484522385714) * t802;
-  const V t804 = t788 + S(13.928203230275509) * t803;
-  const V t805 = t742 + t773 + t804;
-  const V t806 = t151 - S(0.2679491924311227) * t255;
-  const V t807 = t354 - S(0.2679491924311227) * t440;
-  const V t808 = t806 + S(13.928203230275509) * t807;
-  const V t809 = t449 - S(0.2679491924311227) * t456;
-  const V t810 = t464 - S(0.2679491924311227) * t471;
-  const V t811 = t809 - S(13.928203230275509) * t810;
-  const V t812 = t504 - S(3.7320508075688772) * (t808 + t811);
-  const V t813 = t536 - S(0.2679491924311227) * t567;
-  const V t814 = t599 - S(0.2679491924311227) * t630;
-  const V t815 = t813 + S(13.928203230275509) * t814;
-  const V t816 = t639 - S(0.2679491924311227) * t646;
-  const V t817 = t654 - S(0.2679491924311227) * t661;
-  const V t818 = t816 - S(13.928203230275509) * t817;
-  const V t819 = t694 - S(3.7320508075688772) * (t815 + t818);
-  const V t820 = t706 + S(0.2679491924311227) * t717;
-  const V t821 = t729 + S(0.2679491924311227) * t740;
-  const V t822 = t820 + S(13.928203230275509) * t821;
-  const V t823 = t749 + S(0.2679491924311227) * t756;
-  const V t824 = t764 + S(0.2679491924311227) * t771;
-  const V t825 = t823 + S(13.928203230275509) * t824;
-  const V t826 = t804 - S(3.7320508075688772) * (t822 + t825);
-  const V t827 = t806 + t807;
-  const V t828 = t480 - S(13.928203230275509) * t487;
-  const V t829 = t495 - S(13.928203230275509) * t502;
-  const V t830 = t828 - S(13.928203230275509) * t829;
-  const V t831 = t811 + t830 - S(3.7320508075688772) * t827;
-  const V t832 = t813 + t814;
-  const V t833 = t670 - S(13.928203230275509) * t677;
-  const V t834 = t685 - S(13.928203230275509) * t692;
-  const V t835 = t833 - S(13.928203230275509) * t834;
-  const V t836 = t818 + t835 - S(3.7320508075688772) * t832;
-  const V t837 = t820 + t821;
-  const V t838 = t780 - S(13.928203230275509) * t787;
-  const V t839 = t795 - S(13.928203230275509) * t802;
-  const V t840 = t838 + S(13.928203230275509) * t839;
-  const V t841 = t825 + t840 - S(3.7320508075688772) * t837;
-  const V t842 = t256 + t441;
-  const V t843 = t473 - S(3.7320508075688772) * (t830 + t842);
-  const V t844 = t568 + t631;
-  const V t845 = t663 - S(3.7320508075688772) * (t835 + t844);
-  const V t846 = t718 + t741;
-  const V t847 = t773 - S(3.7320508075688772) * (t840 + t846);
-  const V t848 = t457 - t472;
-  const V t849 = t488 - t503;
-  const V t850 = t442 - S(3.7320508075688772) * (t848 + t849);
-  const V t851 = t647 - t662;
-  const V t852 = t678 - t693;
-  const V t853 = t632 - S(3.7320508075688772) * (t851 + t852);
-  const V t854 = t757 + t772;
-  const V t855 = t788 + t803;
-  const V t856 = t742 - S(3.7320508075688772) * (t854 + t855);
-  const V t857 = t809 - t810;
-  const V t858 = t808 + t849 - S(3.7320508075688772) * t857;
-  const V t859 = t816 - t817;
-  const V t860 = t815 + t852 - S(3.7320508075688772) * t859;
-  const V t861 = t823 + t824;
-  const V t862 = t822 + t855 - S(3.7320508075688772) * t861;
-  const V t863 = t828 - t829;
-  const V t864 = t827 + t857 + t863;
-  const V t865 = t833 - t834;
-  const V t866 = t832 + t859 + t865;
-  const V t867 = t838 + t839;
-  const V t868 = t837 + t861 + t867;
-  const V t869 = t842 + t848 - S(3.7320508075688772) * t863;
-  const V t870 = t844 + t851 - S(3.7320508075688772) * t865;
-  const V t871 = t846 + t854 - S(3.7320508075688772) * t867;
-  out[0] = -S(1.1133036149792012e-05) * t505;
-  out[1] = -S(1.1133036149792012e-05) * t695;
-  out[2] = -S(1.1133036149792012e-05) * t805;
-  out[3] = S(1.1133036149792012e-05) * t812;
-  out[4] = S(1.1133036149792012e-05) * t819;
-  out[5] = S(1.1133036149792012e-05) * t826;
-  out[6] = S(4.154905655352478e-05) * t831;
-  out[7] = S(4.154905655352478e-05) * t836;
-  out[8] = S(4.154905655352478e-05) * t841;
-  out[9] = S(1.1133036149792012e-05) * t843;
-  out[10] = S(1.1133036149792012e-05) * t845;
-  out[11] = S(1.1133036149792012e-05) * t847;
-  out[12] = S(1.1133036149792012e-05) * t850;
-  out[13] = S(1.1133036149792012e-05) * t853;
-  out[14] = S(1.1133036149792012e-05) * t856;
-  out[15] = S(4.154905655352478e-05) * t858;
-  out[16] = S(4.154905655352478e-05) * t860;
-  out[17] = S(4.154905655352478e-05) * t862;
-  out[18] = S(0.00015506319006430711) * t864;
-  out[19] = S(0.00015506319006430711) * t866;
-  out[20] = S(0.00015506319006430711) * t868;
-  out[21] = S(4.154905655352478e-05) * t869;
-  out[22] = S(4.154905655352478e-05) * t870;
-  out[23] = S(4.154905655352478e-05) * t871;
+  V dv[72];
+  interpolate<V>(kernel::Inputs<V>{x, p, c, v, v, s}, dv, margin);
+  V result[72];
+  for (int g = 0; g < 8; ++g) {
+    product_at_point<V>(kernel::Inputs<V>{x, p, c + 10 * g, u, dv + 9 * g, s}, result + 9 * g,
+        margin);
+  }
+  integrate<V>(kernel::Inputs<V>{x, p, c, result, v, s}, out, margin);
+}
+
+/// linearize: 0 flops per element and point
+template <class V>
+inline void linearize_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V*
+    out, [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
 }
 
 /// linearize: 0 flops per element
@@ -2118,508 +1092,73 @@ inline void linearize([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
     [[maybe_unused]] V& margin) {
   using S [[maybe_unused]] = kernel::Scalar<V>;
   [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  for (int g = 0; g < 8; ++g) {
+    linearize_at_point<V>(kernel::Inputs<V>{x, p, c + 10 * g, u, v, s}, out + 0 * g, margin);
+  }
 }
 
-/// apply: 1402 flops per element
+/// apply: 110 flops per element and point
+template <class V>
+inline void apply_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
+    [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  const V t3 = c[1] * v[6] + c[3] * v[8] + c[2] * v[7];
+  const V t7 = c[7] * v[0] + c[9] * v[2] + c[8] * v[1];
+  const V t8 = t3 + t7;
+  const V t9 = p[1] * c[0];
+  const V t10 = t8 * t9;
+  const V t15 = c[1] * v[0] + c[3] * v[2] + c[2] * v[1];
+  const V t17 = p[0] * c[0];
+  const V t21 = c[7] * v[6] + c[9] * v[8] + c[8] * v[7];
+  const V t25 = c[5] * v[4] + c[4] * v[3] + c[6] * v[5];
+  const V t26 = t15 + t21 + t25;
+  const V t27 = t17 * t26;
+  const V t28 = t27 + S(2) * t9 * t15;
+  const V t33 = c[4] * v[0] + c[6] * v[2] + c[5] * v[1];
+  const V t37 = c[2] * v[4] + c[1] * v[3] + c[3] * v[5];
+  const V t38 = t33 + t37;
+  const V t39 = t9 * t38;
+  const V t41 = c[7] * t10 + c[1] * t28 + c[4] * t39;
+  const V t45 = c[8] * t10 + c[2] * t28 + c[5] * t39;
+  const V t49 = c[9] * t10 + c[3] * t28 + c[6] * t39;
+  const V t53 = c[4] * v[6] + c[6] * v[8] + c[5] * v[7];
+  const V t57 = c[8] * v[4] + c[7] * v[3] + c[9] * v[5];
+  const V t58 = t53 + t57;
+  const V t59 = t9 * t58;
+  const V t62 = t27 + S(2) * t9 * t25;
+  const V t65 = c[7] * t59 + c[4] * t62 + c[1] * t39;
+  const V t69 = c[8] * t59 + c[5] * t62 + c[2] * t39;
+  const V t73 = c[9] * t59 + c[6] * t62 + c[3] * t39;
+  const V t77 = t27 + S(2) * t9 * t21;
+  const V t79 = c[1] * t10 + c[4] * t59 + c[7] * t77;
+  const V t83 = c[2] * t10 + c[5] * t59 + c[8] * t77;
+  const V t87 = c[3] * t10 + c[6] * t59 + c[9] * t77;
+  out[0] = t41;
+  out[1] = t45;
+  out[2] = t49;
+  out[3] = t65;
+  out[4] = t69;
+  out[5] = t73;
+  out[6] = t79;
+  out[7] = t83;
+  out[8] = t87;
+}
+
+/// apply: 1396 flops per element
 template <class V>
 inline void apply([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
   using S [[maybe_unused]] = kernel::Scalar<V>;
   [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
-  const V t0 = p[1] * c[70];
-  const V t1 = v[12] - v[21];
-  const V t2 = v[15] - v[18];
-  const V t3 = t1 + S(3.7320508075688772) * t2;
-  const V t4 = v[3] - v[6];
-  const V t5 = v[0] - v[9];
-  const V t6 = t5 + S(3.7320508075688772) * t4;
-  const V t7 = t6 + S(3.7320508075688772) * t3;
-  const V t9 = v[6] - v[18];
-  const V t10 = v[9] - v[21];
-  const V t11 = t9 + S(0.2679491924311227) * t10;
-  const V t12 = v[0] - v[12];
-  const V t13 = v[3] - v[15];
-  const V t14 = t12 + S(3.7320508075688772) * t13;
-  const V t15 = t14 + S(13.928203230275509) * t11;
-  const V t17 = v[0] - v[3];
-  const V t18 = v[6] - v[9];
-  const V t19 = t17 - S(3.7320508075688772) * t18;
-  const V t20 = v[12] - v[15];
-  const V t21 = v[18] - v[21];
-  const V t22 = t20 - S(3.7320508075688772) * t21;
-  const V t23 = t19 + S(3.7320508075688772) * t22;
-  const V t25 = c[75] * t7 + c[76] * t15 + c[74] * t23;
-  const V t26 = v[7] - v[19];
-  const V t27 = v[10] - v[22];
-  const V t28 = t26 + S(0.2679491924311227) * t27;
-  const V t29 = v[1] - v[13];
-  const V t30 = v[4] - v[16];
-  const V t31 = t29 + S(3.7320508075688772) * t30;
-  const V t32 = t31 + S(13.928203230275509) * t28;
-  const V t34 = v[1] - v[10];
-  const V t35 = v[4] - v[7];
-  const V t36 = t34 + S(3.7320508075688772) * t35;
-  const V t37 = v[13] - v[22];
-  const V t38 = v[16] - v[19];
-  const V t39 = t37 + S(3.7320508075688772) * t38;
-  const V t40 = t36 + S(3.7320508075688772) * t39;
-  const V t42 = v[19] - v[22];
-  const V t43 = v[13] - v[16];
-  const V t44 = t43 - S(3.7320508075688772) * t42;
-  const V t45 = v[1] - v[4];
-  const V t46 = v[7] - v[10];
-  const V t47 = t45 - S(3.7320508075688772) * t46;
-  const V t48 = t47 + S(3.7320508075688772) * t44;
-  const V t50 = c[73] * t32 + c[72] * t40 + c[71] * t48;
-  const V t51 = t25 + t50;
-  const V t52 = t0 * t51;
-  const V t54 = p[1] * c[30];
-  const V t55 = t6 + S(0.2679491924311227) * t3;
-  const V t58 = t19 + S(0.2679491924311227) * t22;
-  const V t60 = c[35] * t55 + c[34] * t58 - S(3.7320508075688772) * c[36] * t15;
-  const V t62 = t36 + S(0.2679491924311227) * t39;
-  const V t64 = t47 + S(0.2679491924311227) * t44;
-  const V t66 = c[31] * t64 - c[32] * t62 - S(3.7320508075688772) * c[33] * t32;
-  const V t67 = t60 + t66;
-  const V t68 = t54 * t67;
-  const V t70 = p[0] * c[70];
-  const V t74 = c[72] * t7 + c[73] * t15 + c[71] * t23;
-  const V t75 = v[5] - v[8];
-  const V t76 = v[2] - v[11];
-  const V t77 = t76 + S(3.7320508075688772) * t75;
-  const V t78 = v[14] - v[23];
-  const V t79 = v[17] - v[20];
-  const V t80 = t78 + S(3.7320508075688772) * t79;
-  const V t81 = t77 + S(3.7320508075688772) * t80;
-  const V t83 = v[2] - v[5];
-  const V t84 = v[8] - v[11];
-  const V t85 = t83 - S(3.7320508075688772) * t84;
-  const V t86 = v[20] - v[23];
-  const V t87 = v[14] - v[17];
-  const V t88 = t87 - S(3.7320508075688772) * t86;
-  const V t89 = t85 + S(3.7320508075688772) * t88;
-  const V t91 = v[11] - v[23];
-  const V t92 = v[8] - v[20];
-  const V t93 = t92 + S(0.2679491924311227) * t91;
-  const V t94 = v[2] - v[14];
-  const V t95 = v[5] - v[17];
-  const V t96 = t94 + S(3.7320508075688772) * t95;
-  const V t97 = t96 + S(13.928203230275509) * t93;
-  const V t99 = c[78] * t81 + c[77] * t89 + c[79] * t97;
-  const V t103 = c[76] * t32 + c[75] * t40 + c[74] * t48;
-  const V t104 = t74 + t99 + t103;
-  const V t105 = t70 * t104;
-  const V t107 = t105 + S(2) * t0 * t74;
-  const V t109 = p[0] * c[30];
-  const V t113 = c[31] * t58 - c[32] * t55 - S(3.7320508075688772) * c[33] * t15;
-  const V t114 = t77 + S(0.2679491924311227) * t80;
-  const V t116 = t85 + S(0.2679491924311227) * t88;
-  const V t119 = c[38] * t114 + c[37] * t116 + S(3.7320508075688772) * c[39] * t97;
-  const V t123 = c[35] * t62 + c[34] * t64 - S(3.7320508075688772) * c[36] * t32;
-  const V t124 = t113 + t123 - t119;
-  const V t125 = t109 * t124;
-  const V t127 = t125 + S(2) * t54 * t113;
-  const V t132 = c[78] * t7 + c[79] * t15 + c[77] * t23;
-  const V t136 = c[72] * t81 + c[71] * t89 + c[73] * t97;
-  const V t137 = t132 + t136;
-  const V t138 = t0 * t137;
-  const V t143 = c[38] * t55 + c[37] * t58 + S(3.7320508075688772) * c[39] * t15;
-  const V t147 = c[31] * t116 - c[32] * t114 - S(3.7320508075688772) * c[33] * t97;
-  const V t148 = t143 - t147;
-  const V t149 = t54 * t148;
-  const V t151 = c[76] * t52 + c[73] * t107 + c[79] * t138 + S(51.98076211353316) * (c[36] * t68 +
-      c[33] * t127 - c[39] * t149);
-  const V t152 = p[1] * c[60];
-  const V t153 = t1 + S(0.2679491924311227) * t2;
-  const V t154 = t5 + S(0.2679491924311227) * t4;
-  const V t155 = t154 + S(3.7320508075688772) * t153;
-  const V t157 = t9 + S(3.7320508075688772) * t10;
-  const V t158 = t12 + S(0.2679491924311227) * t13;
-  const V t159 = t157 + t158;
-  const V t162 = c[64] * t23 - S(3.7320508075688772) * (c[65] * t155 + c[66] * t159);
-  const V t163 = t26 + S(3.7320508075688772) * t27;
-  const V t164 = t29 + S(0.2679491924311227) * t30;
-  const V t165 = t163 + t164;
-  const V t167 = t34 + S(0.2679491924311227) * t35;
-  const V t168 = t37 + S(0.2679491924311227) * t38;
-  const V t169 = t167 + S(3.7320508075688772) * t168;
-  const V t172 = c[61] * t48 - S(3.7320508075688772) * (c[63] * t165 + c[62] * t169);
-  const V t173 = t162 - t172;
-  const V t174 = t152 * t173;
-  const V t176 = p[1] * c[20];
-  const V t177 = t154 + S(0.2679491924311227) * t153;
-  const V t181 = c[24] * t58 - S(3.7320508075688772) * c[25] * t177 + S(13.928203230275509) * c[26]
-      * t159;
-  const V t183 = t167 + S(0.2679491924311227) * t168;
-  const V t186 = c[21] * t64 + S(13.928203230275509) * c[23] * t165 + S(3.7320508075688772) * c[22]
-      * t183;
-  const V t187 = t181 - t186;
-  const V t188 = t176 * t187;
-  const V t190 = p[0] * c[60];
-  const V t194 = c[61] * t23 - S(3.7320508075688772) * (c[62] * t155 + c[63] * t159);
-  const V t195 = t76 + S(0.2679491924311227) * t75;
-  const V t196 = t78 + S(0.2679491924311227) * t79;
-  const V t197 = t195 + S(3.7320508075688772) * t196;
-  const V t200 = t92 + S(3.7320508075688772) * t91;
-  const V t201 = t94 + S(0.2679491924311227) * t95;
-  const V t202 = t200 + t201;
-  const V t204 = c[67] * t89 - S(3.7320508075688772) * (c[68] * t197 + c[69] * t202);
-  const V t208 = c[64] * t48 - S(3.7320508075688772) * (c[66] * t165 + c[65] * t169);
-  const V t209 = t194 - t204 - t208;
-  const V t210 = t190 * t209;
-  const V t212 = t210 + S(2) * t152 * t194;
-  const V t214 = p[0] * c[20];
-  const V t218 = c[21] * t58 + S(3.7320508075688772) * c[22] * t177 + S(13.928203230275509) * c[23]
-      * t159;
-  const V t219 = t195 + S(0.2679491924311227) * t196;
-  const V t223 = c[27] * t116 - S(3.7320508075688772) * c[28] * t219 - S(13.928203230275509) * c[29]
-      * t202;
-  const V t227 = c[24] * t64 + S(13.928203230275509) * c[26] * t165 - S(3.7320508075688772) * c[25]
-      * t183;
-  const V t228 = t218 + t223 - t227;
-  const V t229 = t214 * t228;
-  const V t231 = t229 + S(2) * t176 * t218;
-  const V t236 = c[67] * t23 - S(3.7320508075688772) * (c[68] * t155 + c[69] * t159);
-  const V t240 = c[61] * t89 - S(3.7320508075688772) * (c[62] * t197 + c[63] * t202);
-  const V t241 = t236 - t240;
-  const V t242 = t152 * t241;
-  const V t247 = c[27] * t58 - S(3.7320508075688772) * c[28] * t177 - S(13.928203230275509) * c[29]
-      * t159;
-  const V t251 = c[21] * t116 + S(3.7320508075688772) * c[22] * t219 + S(13.928203230275509) * c[23]
-      * t202;
-  const V t252 = t247 + t251;
-  const V t253 = t176 * t252;
-  const V t255 = c[66] * t174 + c[63] * t212 + c[69] * t242 + S(51.98076211353316) * (c[26] * t188 +
-      c[23] * t231 - c[29] * t253);
-  const V t256 = t151 - S(3.7320508075688772) * t255;
-  const V t257 = p[1] * c[50];
-  const V t259 = t11 + t14;
-  const V t261 = t17 - S(0.2679491924311227) * t18;
-  const V t262 = t20 - S(0.2679491924311227) * t21;
-  const V t263 = t261 + S(3.7320508075688772) * t262;
-  const V t265 = c[54] * t263 - S(0.2679491924311227) * c[55] * t7 + S(0.071796769724490825) * c[56]
-      * t259;
-  const V t266 = t28 + t31;
-  const V t269 = t43 - S(0.2679491924311227) * t42;
-  const V t270 = t45 - S(0.2679491924311227) * t46;
-  const V t271 = t270 + S(3.7320508075688772) * t269;
-  const V t273 = c[51] * t271 + S(0.071796769724490825) * c[53] * t266 + S(0.2679491924311227) *
-      c[52] * t40;
-  const V t274 = t265 - t273;
-  const V t275 = t257 * t274;
-  const V t277 = p[1] * c[10];
-  const V t280 = t261 + S(0.2679491924311227) * t262;
-  const V t282 = c[14] * t280 - S(0.2679491924311227) * (c[15] * t55 + c[16] * t259);
-  const V t285 = t270 + S(0.2679491924311227) * t269;
-  const V t287 = c[11] * t285 - S(0.2679491924311227) * (c[13] * t266 + c[12] * t62);
-  const V t288 = t282 - t287;
-  const V t289 = t277 * t288;
-  const V t291 = p[0] * c[50];
-  const V t295 = c[51] * t263 + S(0.2679491924311227) * c[52] * t7 + S(0.071796769724490825) * c[53]
-      * t259;
-  const V t297 = t83 - S(0.2679491924311227) * t84;
-  const V t298 = t87 - S(0.2679491924311227) * t86;
-  const V t299 = t297 + S(3.7320508075688772) * t298;
-  const V t301 = t93 + t96;
-  const V t303 = c[57] * t299 - S(0.2679491924311227) * c[58] * t81 - S(0.071796769724490825) *
-      c[59] * t301;
-  const V t307 = c[54] * t271 + S(0.071796769724490825) * c[56] * t266 - S(0.2679491924311227) *
-      c[55] * t40;
-  const V t308 = t295 + t303 - t307;
-  const V t309 = t291 * t308;
-  const V t311 = t309 + S(2) * t257 * t295;
-  const V t313 = p[0] * c[10];
-  const V t317 = c[11] * t280 - S(0.2679491924311227) * (c[12] * t55 + c[13] * t259);
-  const V t319 = t297 + S(0.2679491924311227) * t298;
-  const V t322 = c[17] * t319 - S(0.2679491924311227) * (c[18] * t114 + c[19] * t301);
-  const V t326 = c[14] * t285 - S(0.2679491924311227) * (c[16] * t266 + c[15] * t62);
-  const V t327 = t317 - t322 - t326;
-  const V t328 = t313 * t327;
-  const V t330 = t328 + S(2) * t277 * t317;
-  const V t335 = c[57] * t263 - S(0.2679491924311227) * c[58] * t7 - S(0.071796769724490825) * c[59]
-      * t259;
-  const V t339 = c[51] * t299 + S(0.2679491924311227) * c[52] * t81 + S(0.071796769724490825) *
-      c[53] * t301;
-  const V t340 = t335 + t339;
-  const V t341 = t257 * t340;
-  const V t346 = c[17] * t280 - S(0.2679491924311227) * (c[18] * t55 + c[19] * t259);
-  const V t350 = c[11] * t319 - S(0.2679491924311227) * (c[12] * t114 + c[13] * t301);
-  const V t351 = t346 - t350;
-  const V t352 = t277 * t351;
-  const V t354 = c[59] * t341 - c[56] * t275 - c[53] * t311 - S(51.98076211353316) * (c[16] * t289 +
-      c[13] * t330 + c[19] * t352);
-  const V t355 = p[1] * c[40];
-  const V t357 = t158 + S(0.071796769724490825) * t157;
-  const V t360 = c[45] * t155 + c[44] * t263 - S(0.2679491924311227) * c[46] * t357;
-  const V t361 = t164 + S(0.071796769724490825) * t163;
-  const V t365 = c[41] * t271 - c[42] * t169 - S(0.2679491924311227) * c[43] * t361;
-  const V t366 = t360 + t365;
-  const V t367 = t355 * t366;
-  const V t369 = p[1] * c[0];
-  const V t373 = c[5] * t177 + c[6] * t357 + c[4] * t280;
-  const V t377 = c[3] * t361 + c[2] * t183 + c[1] * t285;
-  const V t378 = t373 + t377;
-  const V t379 = t369 * t378;
-  const V t381 = p[0] * c[40];
-  const V t385 = c[41] * t263 - c[42] * t155 - S(0.2679491924311227) * c[43] * t357;
-  const V t388 = t201 + S(0.071796769724490825) * t200;
-  const V t390 = c[48] * t197 + c[47] * t299 + S(0.2679491924311227) * c[49] * t388;
-  const V t394 = c[45] * t169 + c[44] * t271 - S(0.2679491924311227) * c[46] * t361;
-  const V t395 = t385 + t394 - t390;
-  const V t396 = t381 * t395;
-  const V t398 = t396 + S(2) * t355 * t385;
-  const V t400 = p[0] * c[0];
-  const V t404 = c[2] * t177 + c[3] * t357 + c[1] * t280;
-  const V t408 = c[8] * t219 + c[7] * t319 + c[9] * t388;
-  const V t412 = c[6] * t361 + c[5] * t183 + c[4] * t285;
-  const V t413 = t404 + t408 + t412;
-  const V t414 = t400 * t413;
-  const V t416 = t414 + S(2) * t369 * t404;
-  const V t421 = c[48] * t155 + c[47] * t263 + S(0.2679491924311227) * c[49] * t357;
-  const V t425 = c[41] * t299 - c[42] * t197 - S(0.2679491924311227) * c[43] * t388;
-  const V t426 = t421 - t425;
-  const V t427 = t355 * t426;
-  const V t432 = c[8] * t177 + c[9] * t357 + c[7] * t280;
-  const V t436 = c[2] * t219 + c[1] * t319 + c[3] * t388;
-  const V t437 = t432 + t436;
-  const V t438 = t369 * t437;
-  const V t440 = c[49] * t427 - c[46] * t367 - c[43] * t398 - S(51.98076211353316) * (c[6] * t379 +
-      c[3] * t416 + c[9] * t438);
-  const V t441 = t354 - S(3.7320508075688772) * t440;
-  const V t442 = t256 + S(13.928203230275509) * t441;
-  const V t449 = c[75] * t52 + c[72] * t107 + c[78] * t138 + S(51.98076211353316) * (c[55] * t275 +
-      c[58] * t341 - c[52] * t311);
-  const V t456 = c[65] * t174 + c[62] * t212 + c[68] * t242 + S(51.98076211353316) * (c[45] * t367 +
-      c[48] * t427 - c[42] * t398);
-  const V t457 = t449 - S(3.7320508075688772) * t456;
-  const V t464 = c[35] * t68 + c[38] * t149 - c[32] * t127 + S(51.98076211353316) * (c[15] * t289 +
-      c[12] * t330 + c[18] * t352);
-  const V t471 = c[25] * t188 + c[28] * t253 - c[22] * t231 + S(51.98076211353316) * (c[5] * t379 +
-      c[2] * t416 + c[8] * t438);
-  const V t472 = t464 - S(3.7320508075688772) * t471;
-  const V t473 = t457 - S(13.928203230275509) * t472;
-  const V t480 = c[74] * t52 + c[64] * t174 + c[71] * t107 + c[61] * t212 + c[77] * t138 + c[67] *
-      t242;
-  const V t487 = c[54] * t275 + c[44] * t367 + c[51] * t311 + c[41] * t398 + c[57] * t341 + c[47] *
-      t427;
-  const V t488 = t480 - S(193.99484522385714) * t487;
-  const V t495 = c[34] * t68 + c[24] * t188 + c[31] * t127 + c[21] * t231 + c[37] * t149 + c[27] *
-      t253;
-  const V t502 = c[14] * t289 + c[4] * t379 + c[11] * t330 + c[1] * t416 + c[17] * t352 + c[7] *
-      t438;
-  const V t503 = t495 - S(193.99484522385714) * t502;
-  const V t504 = t488 - S(13.928203230275509) * t503;
-  const V t505 = t442 + t473 + t504;
-  const V t509 = t105 + S(2) * t0 * t103;
-  const V t512 = t125 + S(2) * t54 * t123;
-  const V t517 = c[75] * t81 + c[74] * t89 + c[76] * t97;
-  const V t521 = c[79] * t32 + c[78] * t40 + c[77] * t48;
-  const V t522 = t517 + t521;
-  const V t523 = t0 * t522;
-  const V t528 = c[35] * t114 + c[34] * t116 - S(3.7320508075688772) * c[36] * t97;
-  const V t532 = c[38] * t62 + c[37] * t64 + S(3.7320508075688772) * c[39] * t32;
-  const V t533 = t532 - t528;
-  const V t534 = t54 * t533;
-  const V t536 = c[73] * t52 + c[76] * t509 + c[79] * t523 + S(51.98076211353316) * (c[33] * t68 +
-      c[36] * t512 - c[39] * t534);
-  const V t540 = t210 - S(2) * t152 * t208;
-  const V t543 = t229 - S(2) * t176 * t227;
-  const V t548 = c[64] * t89 - S(3.7320508075688772) * (c[65] * t197 + c[66] * t202);
-  const V t552 = c[67] * t48 - S(3.7320508075688772) * (c[69] * t165 + c[68] * t169);
-  const V t553 = t548 + t552;
-  const V t554 = t152 * t553;
-  const V t559 = c[24] * t116 - S(3.7320508075688772) * c[25] * t219 + S(13.928203230275509) * c[26]
-      * t202;
-  const V t563 = c[27] * t64 - S(13.928203230275509) * c[29] * t165 - S(3.7320508075688772) * c[28]
-      * t183;
-  const V t564 = t563 - t559;
-  const V t565 = t176 * t564;
-  const V t567 = c[69] * t554 - c[63] * t174 - c[66] * t540 - S(51.98076211353316) * (c[23] * t188 +
-      c[26] * t543 + c[29] * t565);
-  const V t568 = t536 - S(3.7320508075688772) * t567;
-  const V t572 = t309 - S(2) * t257 * t307;
-  const V t575 = t328 - S(2) * t277 * t326;
-  const V t580 = c[54] * t299 - S(0.2679491924311227) * c[55] * t81 + S(0.071796769724490825) *
-      c[56] * t301;
-  const V t584 = c[57] * t271 - S(0.071796769724490825) * c[59] * t266 - S(0.2679491924311227) *
-      c[58] * t40;
-  const V t585 = t584 - t580;
-  const V t586 = t257 * t585;
-  const V t591 = c[14] * t319 - S(0.2679491924311227) * (c[15] * t114 + c[16] * t301);
-  const V t595 = c[17] * t285 - S(0.2679491924311227) * (c[19] * t266 + c[18] * t62);
-  const V t596 = t591 + t595;
-  const V t597 = t277 * t596;
-  const V t599 = c[53] * t275 + c[56] * t572 + c[59] * t586 + S(51.98076211353316) * (c[13] * t289 +
-      c[16] * t575 - c[19] * t597);
-  const V t603 = t396 + S(2) * t355 * t394;
-  const V t606 = t414 + S(2) * t369 * t412;
-  const V t611 = c[45] * t197 + c[44] * t299 - S(0.2679491924311227) * c[46] * t388;
-  const V t615 = c[48] * t169 + c[47] * t271 + S(0.2679491924311227) * c[49] * t361;
-  const V t616 = t615 - t611;
-  const V t617 = t355 * t616;
-  const V t622 = c[5] * t219 + c[4] * t319 + c[6] * t388;
-  const V t626 = c[9] * t361 + c[8] * t183 + c[7] * t285;
-  const V t627 = t622 + t626;
-  const V t628 = t369 * t627;
-  const V t630 = c[49] * t617 - c[43] * t367 - c[46] * t603 - S(51.98076211353316) * (c[3] * t379 +
-      c[6] * t606 + c[9] * t628);
-  const V t631 = t599 - S(3.7320508075688772) * t630;
-  const V t632 = t568 + S(13.928203230275509) * t631;
-  const V t639 = c[72] * t52 + c[75] * t509 + c[78] * t523 + S(51.98076211353316) * (c[52] * t275 +
-      c[58] * t586 - c[55] * t572);
-  const V t646 = c[68] * t554 - c[62] * t174 - c[65] * t540 + S(51.98076211353316) * (c[45] * t603 +
-      c[48] * t617 - c[42] * t367);
-  const V t647 = t639 - S(3.7320508075688772) * t646;
-  const V t654 = c[35] * t512 + c[38] * t534 - c[32] * t68 + S(51.98076211353316) * (c[18] * t597 -
-      c[12] * t289 - c[15] * t575);
-  const V t661 = c[22] * t188 + c[28] * t565 - c[25] * t543 + S(51.98076211353316) * (c[2] * t379 +
-      c[5] * t606 + c[8] * t628);
-  const V t662 = t654 - S(3.7320508075688772) * t661;
-  const V t663 = t647 - S(13.928203230275509) * t662;
-  const V t670 = c[71] * t52 + c[74] * t509 + c[77] * t523 + c[67] * t554 - c[61] * t174 - c[64] *
-      t540;
-  const V t677 = c[41] * t367 + c[44] * t603 + c[57] * t586 + c[47] * t617 - c[51] * t275 - c[54] *
-      t572;
-  const V t678 = t670 - S(193.99484522385714) * t677;
-  const V t685 = c[31] * t68 + c[34] * t512 + c[37] * t534 + c[27] * t565 - c[21] * t188 - c[24] *
-      t543;
-  const V t692 = c[1] * t379 + c[4] * t606 + c[17] * t597 + c[7] * t628 - c[11] * t289 - c[14] *
-      t575;
-  const V t693 = t685 - S(193.99484522385714) * t692;
-  const V t694 = t678 - S(13.928203230275509) * t693;
-  const V t695 = t632 + t663 + t694;
-  const V t697 = t105 + S(2) * t0 * t99;
-  const V t700 = t125 - S(2) * t54 * t119;
-  const V t706 = c[79] * t697 + c[73] * t138 + c[76] * t523 + S(51.98076211353316) * (c[39] * t700 -
-      c[33] * t149 - c[36] * t534);
-  const V t708 = t210 - S(2) * t152 * t204;
-  const V t711 = t229 + S(2) * t176 * t223;
-  const V t717 = c[69] * t708 + c[63] * t242 - c[66] * t554 + S(51.98076211353316) * (c[29] * t711 +
-      c[26] * t565 - c[23] * t253);
-  const V t718 = t706 + S(3.7320508075688772) * t717;
-  const V t720 = t309 + S(2) * t257 * t303;
-  const V t723 = t328 - S(2) * t277 * t322;
-  const V t729 = c[59] * t720 + c[56] * t586 - c[53] * t341 + S(51.98076211353316) * (c[19] * t723 +
-      c[13] * t352 - c[16] * t597);
-  const V t731 = t396 - S(2) * t355 * t390;
-  const V t734 = t414 + S(2) * t369 * t408;
-  const V t740 = c[49] * t731 - c[43] * t427 - c[46] * t617 + S(51.98076211353316) * (c[9] * t734 +
-      c[3] * t438 + c[6] * t628);
-  const V t741 = t729 + S(3.7320508075688772) * t740;
-  const V t742 = t718 + S(13.928203230275509) * t741;
-  const V t749 = c[78] * t697 + c[72] * t138 + c[75] * t523 + S(51.98076211353316) * (c[58] * t720 -
-      c[52] * t341 - c[55] * t586);
-  const V t756 = c[68] * t708 + c[62] * t242 - c[65] * t554 + S(51.98076211353316) * (c[48] * t731 +
-      c[45] * t617 - c[42] * t427);
-  const V t757 = t749 + S(3.7320508075688772) * t756;
-  const V t764 = c[38] * t700 + c[35] * t534 - c[32] * t149 + S(51.98076211353316) * (c[18] * t723 +
-      c[12] * t352 - c[15] * t597);
-  const V t771 = c[28] * t711 - c[22] * t253 - c[25] * t565 + S(51.98076211353316) * (c[8] * t734 +
-      c[2] * t438 + c[5] * t628);
-  const V t772 = t764 + S(3.7320508075688772) * t771;
-  const V t773 = t757 + S(13.928203230275509) * t772;
-  const V t780 = c[77] * t697 + c[71] * t138 + c[74] * t523 + c[64] * t554 - c[67] * t708 - c[61] *
-      t242;
-  const V t787 = c[57] * t720 + c[51] * t341 - c[47] * t731 - c[41] * t427 - c[54] * t586 - c[44] *
-      t617;
-  const V t788 = t780 - S(193.99484522385714) * t787;
-  const V t795 = c[37] * t700 + c[31] * t149 + c[34] * t534 + c[24] * t565 - c[27] * t711 - c[21] *
-      t253;
-  const V t802 = c[17] * t723 + c[11] * t352 - c[7] * t734 - c[1] * t438 - c[14] * t597 - c[4] *
-      t628;
-  const V t803 = t795 - S(193.99484522385714) * t802;
-  const V t804 = t788 + S(13.928203230275509) * t803;
-  const V t805 = t742 + t773 + t804;
-  const V t806 = t151 - S(0.2679491924311227) * t255;
-  const V t807 = t354 - S(0.2679491924311227) * t440;
-  const V t808 = t806 + S(13.928203230275509) * t807;
-  const V t809 = t449 - S(0.2679491924311227) * t456;
-  const V t810 = t464 - S(0.2679491924311227) * t471;
-  const V t811 = t809 - S(13.928203230275509) * t810;
-  const V t812 = t504 - S(3.7320508075688772) * (t808 + t811);
-  const V t813 = t536 - S(0.2679491924311227) * t567;
-  const V t814 = t599 - S(0.2679491924311227) * t630;
-  const V t815 = t813 + S(13.928203230275509) * t814;
-  const V t816 = t639 - S(0.2679491924311227) * t646;
-  const V t817 = t654 - S(0.2679491924311227) * t661;
-  const V t818 = t816 - S(13.928203230275509) * t817;
-  const V t819 = t694 - S(3.7320508075688772) * (t815 + t818);
-  const V t820 = t706 + S(0.2679491924311227) * t717;
-  const V t821 = t729 + S(0.2679491924311227) * t740;
-  const V t822 = t820 + S(13.928203230275509) * t821;
-  const V t823 = t749 + S(0.2679491924311227) * t756;
-  const V t824 = t764 + S(0.2679491924311227) * t771;
-  const V t825 = t823 + S(13.928203230275509) * t824;
-  const V t826 = t804 - S(3.7320508075688772) * (t822 + t825);
-  const V t827 = t806 + t807;
-  const V t828 = t480 - S(13.928203230275509) * t487;
-  const V t829 = t495 - S(13.928203230275509) * t502;
-  const V t830 = t828 - S(13.928203230275509) * t829;
-  const V t831 = t811 + t830 - S(3.7320508075688772) * t827;
-  const V t832 = t813 + t814;
-  const V t833 = t670 - S(13.928203230275509) * t677;
-  const V t834 = t685 - S(13.928203230275509) * t692;
-  const V t835 = t833 - S(13.928203230275509) * t834;
-  const V t836 = t818 + t835 - S(3.7320508075688772) * t832;
-  const V t837 = t820 + t821;
-  const V t838 = t780 - S(13.928203230275509) * t787;
-  const V t839 = t795 - S(13.928203230275509) * t802;
-  const V t840 = t838 + S(13.928203230275509) * t839;
-  const V t841 = t825 + t840 - S(3.7320508075688772) * t837;
-  const V t842 = t256 + t441;
-  const V t843 = t473 - S(3.7320508075688772) * (t830 + t842);
-  const V t844 = t568 + t631;
-  const V t845 = t663 - S(3.7320508075688772) * (t835 + t844);
-  const V t846 = t718 + t741;
-  const V t847 = t773 - S(3.7320508075688772) * (t840 + t846);
-  const V t848 = t457 - t472;
-  const V t849 = t488 - t503;
-  const V t850 = t442 - S(3.7320508075688772) * (t848 + t849);
-  const V t851 = t647 - t662;
-  const V t852 = t678 - t693;
-  const V t853 = t632 - S(3.7320508075688772) * (t851 + t852);
-  const V t854 = t757 + t772;
-  const V t855 = t788 + t803;
-  const V t856 = t742 - S(3.7320508075688772) * (t854 + t855);
-  const V t857 = t809 - t810;
-  const V t858 = t808 + t849 - S(3.7320508075688772) * t857;
-  const V t859 = t816 - t817;
-  const V t860 = t815 + t852 - S(3.7320508075688772) * t859;
-  const V t861 = t823 + t824;
-  const V t862 = t822 + t855 - S(3.7320508075688772) * t861;
-  const V t863 = t828 - t829;
-  const V t864 = t827 + t857 + t863;
-  const V t865 = t833 - t834;
-  const V t866 = t832 + t859 + t865;
-  const V t867 = t838 + t839;
-  const V t868 = t837 + t861 + t867;
-  const V t869 = t842 + t848 - S(3.7320508075688772) * t863;
-  const V t870 = t844 + t851 - S(3.7320508075688772) * t865;
-  const V t871 = t846 + t854 - S(3.7320508075688772) * t867;
-  out[0] = -S(1.1133036149792012e-05) * t505;
-  out[1] = -S(1.1133036149792012e-05) * t695;
-  out[2] = -S(1.1133036149792012e-05) * t805;
-  out[3] = S(1.1133036149792012e-05) * t812;
-  out[4] = S(1.1133036149792012e-05) * t819;
-  out[5] = S(1.1133036149792012e-05) * t826;
-  out[6] = S(4.154905655352478e-05) * t831;
-  out[7] = S(4.154905655352478e-05) * t836;
-  out[8] = S(4.154905655352478e-05) * t841;
-  out[9] = S(1.1133036149792012e-05) * t843;
-  out[10] = S(1.1133036149792012e-05) * t845;
-  out[11] = S(1.1133036149792012e-05) * t847;
-  out[12] = S(1.1133036149792012e-05) * t850;
-  out[13] = S(1.1133036149792012e-05) * t853;
-  out[14] = S(1.1133036149792012e-05) * t856;
-  out[15] = S(4.154905655352478e-05) * t858;
-  out[16] = S(4.154905655352478e-05) * t860;
-  out[17] = S(4.154905655352478e-05) * t862;
-  out[18] = S(0.00015506319006430711) * t864;
-  out[19] = S(0.00015506319006430711) * t866;
-  out[20] = S(0.00015506319006430711) * t868;
-  out[21] = S(4.154905655352478e-05) * t869;
-  out[22] = S(4.154905655352478e-05) * t870;
-  out[23] = S(4.154905655352478e-05) * t871;
+  V dv[72];
+  interpolate<V>(kernel::Inputs<V>{x, p, c, v, v, s}, dv, margin);
+  V result[72];
+  for (int g = 0; g < 8; ++g) {
+    apply_at_point<V>(kernel::Inputs<V>{x, p, c + 10 * g, u, dv + 9 * g, s + 0 * g}, result + 9 * g,
+        margin);
+  }
+  integrate<V>(kernel::Inputs<V>{x, p, c, result, v, s}, out, margin);
 }
 
 /// stiffness: linearize once, apply along every unit direction; K = -product

@@ -1,12 +1,16 @@
 #include "symgen/build_kernels.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
 
 #include "runtime/error.h"
+#include "symgen/dag/differentiate.h"
 #include "symgen/mechanics/expanded_formulation.h"
+#include "symgen/mechanics/reference_gradients.h"
 #include "symgen/passes/cost.h"
 #include "symgen/passes/extract_grouped_constants.h"
 #include "symgen/passes/factor.h"
@@ -108,24 +112,31 @@ PartGraph differentiated(ElementGraph& element, const EnergyPart& part) {
   return result;
 }
 
+/// Entry of the flux at a point, an input of the integration.
+std::string flux_name(std::size_t point, std::size_t entry) {
+  return fmt::format("F{}.{}", point, entry);
+}
+
 class Builder {
  public:
-  Builder(ElementGraph graph, Geometry geometry, const Split& split, const Profile& profile,
-          StageLog& log)
+  /// @param graph  of an element, or of one point of it
+  /// @param whole  the element
+  Builder(ElementGraph graph, const ElementGraph& whole, int num_points, Geometry geometry,
+          const Split& split, const Profile& profile, StageLog& log)
       : element_(std::move(graph)), split_(split), profile_(profile), log_(log) {
     kernels_.geometry = geometry;
-    kernels_.num_nodes = static_cast<int>(element_.nodal_volumes.size());
-    kernels_.dim = static_cast<int>(element_.positions.size()) / kernels_.num_nodes;
-    kernels_.num_points = static_cast<int>(element_.determinants.size());
+    kernels_.num_nodes = static_cast<int>(whole.nodal_volumes.size());
+    kernels_.dim = static_cast<int>(whole.positions.size()) / kernels_.num_nodes;
+    kernels_.num_points = num_points;
     kernels_.dag = Dag(element_.dag.number_pool());
   }
 
   /// Derivatives of every energy part, then the passes on every fragment, all in one graph.
   void collect_pieces() {
-    const int num_dofs = kernels_.num_nodes * kernels_.dim;
-    const auto parts =
-        energy_parts(split_, static_cast<int>(element_.energies.size()), kernels_.num_points);
-    const auto rows = row_parts(split_, kernels_.num_nodes, kernels_.dim);
+    const int num_dofs = static_cast<int>(element_.displacement.size());
+    const auto parts = energy_parts(split_, static_cast<int>(element_.energies.size()),
+                                    static_cast<int>(element_.determinants.size()));
+    const auto rows = row_parts(split_, num_dofs / kernels_.dim, kernels_.dim);
     energy_ = {"energy", 1, {}, {}};
     forces_ = {"forces", num_dofs, {}, {}};
     product_ = {"product", num_dofs, {}, {}};
@@ -143,17 +154,74 @@ class Builder {
       }
     }
     pieces_per_part_ = rows.size();
+  }
 
-    std::vector<NodeId> measures = element_.nodal_volumes;
-    for (const auto* more : {&element_.lumped_volumes, &element_.determinants}) {
+  /// Volumes of the whole element.
+  void collect_geometry(const ElementGraph& whole) {
+    std::vector<NodeId> measures = whole.nodal_volumes;
+    for (const auto* more : {&whole.lumped_volumes, &whole.determinants}) {
       measures.insert(measures.end(), more->begin(), more->end());
     }
     geometry_ = {"geometry", static_cast<int>(measures.size()), {}, {}};
-    Graph graph{Dag(element_.dag.number_pool()), {}};
-    graph.roots = copy_into(graph.dag, element_.dag, measures);
+    Graph graph{Dag(whole.dag.number_pool()), {}};
+    graph.roots = copy_into(graph.dag, whole.dag, measures);
     graph = group_stages(graph);
     geometry_.pieces.push_back(
         {copy_into(kernels_.dag, graph.dag, graph.roots), counting(measures.size())});
+    for (const NodeId node : whole.positions) {
+      node_positions_.push_back(whole.dag.symbol_name(node));
+    }
+  }
+
+  /// The maps between nodes and points. Shared pairs make the integration cheapest where it is the
+  /// transpose of the interpolation as that is computed.
+  void collect_loop(const PointwiseGraph& graph) {
+    PointLoop& loop = kernels_.loop.emplace();
+    loop.weights = graph.weights;
+    loop.is_affine = graph.is_affine;
+    const ElementGraph& whole = graph.whole;
+    const auto simplified_copy = [&](const std::vector<NodeId>& roots) {
+      Graph copy{Dag(whole.dag.number_pool()), {}};
+      copy.roots = copy_into(copy.dag, whole.dag, roots);
+      return simplified(std::move(copy), log_);
+    };
+    const auto names = [&](const std::vector<NodeId>& nodes) {
+      std::vector<std::string> result;
+      for (const NodeId node : nodes) result.push_back(whole.dag.symbol_name(node));
+      return result;
+    };
+    const Graph gradients = simplified_copy(graph.gradients);
+    loop.interpolate = map_of("interpolate", gradients, names(whole.displacement),
+                              Slot::displacement, Stage::state);
+    std::vector<std::string> fluxes;
+    const Graph nodal = transposed(gradients, graph, fluxes);
+    loop.integrate = map_of("integrate", nodal, fluxes, Slot::displacement, Stage::state);
+    Graph energy{Dag(whole.dag.number_pool()), {}};
+    std::vector<Operand> densities;
+    std::vector<std::string> density_names;
+    for (std::size_t g = 0; g < graph.weights.size(); ++g) {
+      density_names.push_back(fmt::format("W{}", g));
+      densities.push_back(
+          {energy.dag.symbol(density_names.back(), Stage::state), graph.weights[g]});
+    }
+    energy.roots = {energy.dag.sum(std::move(densities))};
+    loop.weigh = map_of("weigh", energy, density_names, Slot::displacement, Stage::state);
+    if (graph.is_affine) {
+      loop.jacobian = map_of("jacobian", simplified_copy(graph.jacobians), names(whole.positions),
+                             Slot::position, Stage::rest);
+    }
+    end_stage("interpolate and integrate");
+  }
+
+  /// The stages that see the fragments of all operations, which share one graph from here on.
+  void choose_what_is_stored(Grouping grouping) {
+    end_stage("collect fragments");
+    share_what_is_known_at_rest();
+    end_stage("share_pairs at rest");
+    choose_constants(grouping);
+    end_stage("extract_grouped_constants");
+    cut_product();
+    end_stage("cut the product");
   }
 
   /// Common pairs of what is known at rest, over all operations together, so that they agree on
@@ -249,6 +317,7 @@ class Builder {
     constants_ = {"constants", static_cast<int>(kernels_.constants.size()), {}, {}};
     constants_.pieces.push_back({kernels_.constants, counting(kernels_.constants.size())});
     const Inputs plain = symbols();
+    const Inputs of_nodes = inputs_named(node_positions_, Slot::position, Stage::rest);
     Inputs with_constants = plain;
     for (std::size_t k = 0; k < kernels_.constants.size(); ++k) {
       with_constants[kernels_.constants[k]] = {Slot::constant, static_cast<int>(k)};
@@ -258,7 +327,7 @@ class Builder {
       const bool at_rest = operation == &constants_ || operation == &geometry_;
       const SumStyle style = operation->pieces.size() > 1 ? SumStyle::plain : SumStyle::grouped;
       for (std::size_t k = 0; k < operation->pieces.size(); ++k) {
-        Inputs inputs = at_rest ? plain : with_constants;
+        Inputs inputs = operation == &geometry_ ? of_nodes : at_rest ? plain : with_constants;
         if (operation == &apply_) {
           for (const auto& [id, index] : state_index_) inputs[id] = {Slot::state, index};
         }
@@ -267,20 +336,20 @@ class Builder {
         outputs.resize(each.roots.size() + each.margins.size(), Output::margin);
         operation->fragments.push_back(
             make_fragment(kernels_.dag, values_of(each), outputs, inputs, style));
-        if (!at_rest && reads_positions(operation->fragments.back())) {
+        if (!at_rest && !indices_read(operation->fragments.back(), Slot::position).empty()) {
           kernels_.reads_positions = true;
         }
       }
       kernels_.operations.push_back(std::move(*operation));
     }
+    end_stage("kernel_ast");
   }
-
-  /// All operations share one graph from here on.
-  void end_stage(const char* stage) { log_.end(stage, kernels_.dag.size()); }
 
   VariantKernels take() { return std::move(kernels_); }
 
  private:
+  void end_stage(const char* stage) { log_.end(stage, kernels_.dag.size()); }
+
   Piece piece(const Dag& source, std::vector<NodeId> roots, std::vector<int> outputs,
               const std::vector<NodeId>& margins) {
     roots.insert(roots.end(), margins.begin(), margins.end());
@@ -291,6 +360,49 @@ class Builder {
     const auto first_margin = roots.begin() + static_cast<std::ptrdiff_t>(outputs.size());
     Piece result{{roots.begin(), first_margin}, std::move(outputs), {first_margin, roots.end()}};
     return result;
+  }
+
+  /// A linear map as an operation of one fragment.
+  OperationKernels map_of(const std::string& name, const Graph& graph,
+                          const std::vector<std::string>& inputs, Slot slot, Stage stage) {
+    OperationKernels operation{name, static_cast<int>(graph.roots.size()), {}, {}};
+    const Piece piece{copy_into(kernels_.dag, graph.dag, graph.roots),
+                      counting(graph.roots.size())};
+    operation.pieces.push_back(piece);
+    operation.fragments.push_back(make_fragment(kernels_.dag, piece.roots, piece.outputs,
+                                                inputs_named(inputs, slot, stage),
+                                                SumStyle::grouped));
+    return operation;
+  }
+
+  /// sum_k w_g F_k d G_k / d U for every nodal value, of gradients G in the form that they have.
+  /// @param fluxes  gets the names of F
+  static Graph transposed(const Graph& gradients, const PointwiseGraph& graph,
+                          std::vector<std::string>& fluxes) {
+    Graph nodal{gradients.dag, {}};
+    std::vector<NodeId> displacement;
+    for (const NodeId node : graph.whole.displacement) {
+      displacement.push_back(nodal.dag.symbol(graph.whole.dag.symbol_name(node), Stage::state));
+    }
+    const std::size_t num_entries = gradients.roots.size() / graph.weights.size();
+    std::vector<Operand> terms;
+    for (std::size_t k = 0; k < gradients.roots.size(); ++k) {
+      fluxes.push_back(flux_name(k / num_entries, k % num_entries));
+      const NodeId flux = nodal.dag.symbol(fluxes.back(), Stage::state);
+      terms.push_back(
+          {nodal.dag.multiply(flux, gradients.roots[k]), graph.weights[k / num_entries]});
+    }
+    const NodeId work = nodal.dag.sum(std::move(terms));
+    nodal.roots = gradient(nodal.dag, work, displacement);
+    return share_pairs(nodal, Stage::state);
+  }
+
+  Inputs inputs_named(const std::vector<std::string>& names, Slot slot, Stage stage) {
+    Inputs inputs;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      inputs[kernels_.dag.symbol(names[k], stage)] = {slot, static_cast<int>(k)};
+    }
+    return inputs;
   }
 
   /// Everything that a piece computes.
@@ -317,22 +429,6 @@ class Builder {
     return inputs;
   }
 
-  static bool reads_positions(const Fragment& fragment) {
-    const auto is_position = [](const Reference& value) { return value.slot == Slot::position; };
-    for (const Statement& statement : fragment.statements) {
-      for (const Factor& factor : statement.factors) {
-        if (is_position(factor.value)) return true;
-      }
-      for (const TermGroup& group : statement.groups) {
-        for (const TermGroup::Term& term : group.terms) {
-          if (is_position(term.value)) return true;
-        }
-      }
-    }
-    return std::any_of(fragment.outputs.begin(), fragment.outputs.end(),
-                       [&](const Output& output) { return is_position(output.value); });
-  }
-
   ElementGraph element_;
   const Split& split_;
   const Profile& profile_;
@@ -340,10 +436,61 @@ class Builder {
   VariantKernels kernels_;
   OperationKernels constants_, geometry_, energy_, forces_, product_, linearize_, apply_;
   std::size_t pieces_per_part_ = 1;
-  std::map<NodeId, int> state_index_;  // of stored state
+  std::map<NodeId, int> state_index_;        // of stored state
+  std::vector<std::string> node_positions_;  // names of the element's rest positions
 };
 
 }  // namespace
+
+namespace {
+
+long flops_of(const OperationKernels& operation) {
+  long flops = 0;
+  for (const Fragment& fragment : operation.fragments) flops += fragment.operations.flops();
+  return flops;
+}
+
+}  // namespace
+
+bool is_nodal(const std::string& operation) {
+  return operation == "forces" || operation == "product" || operation == "apply";
+}
+
+bool reads(const OperationKernels& operation, Slot slot) {
+  return std::any_of(operation.fragments.begin(), operation.fragments.end(),
+                     [&](const Fragment& each) { return !indices_read(each, slot).empty(); });
+}
+
+long VariantKernels::flops(const std::string& name) const {
+  const OperationKernels& kernel = operation(name);
+  const long flops = flops_of(kernel);
+  if (!loop || name == "geometry") return flops;
+  if (name == "constants" && loop->is_affine) return flops_of(loop->jacobian) + flops;
+  long total = static_cast<long>(num_points) * flops;
+  for (const Slot field : {Slot::position, Slot::displacement, Slot::direction}) {
+    if (!reads(kernel, field)) continue;
+    const bool is_same = field == Slot::position && loop->is_affine;
+    total += flops_of(is_same ? loop->jacobian : loop->interpolate);
+  }
+  if (name == "energy") total += flops_of(loop->weigh);
+  if (is_nodal(name)) total += flops_of(loop->integrate);
+  return total;
+}
+
+int VariantKernels::num_outputs(const OperationKernels& operation) const {
+  if (!loop) return operation.num_outputs;
+  if (is_nodal(operation.name)) return num_nodes * dim;
+  if (operation.name == "constants") return num_stored_constants();
+  return operation.name == "linearize" ? num_stored_state() : operation.num_outputs;
+}
+
+int VariantKernels::num_constant_sets() const { return loop && !loop->is_affine ? num_points : 1; }
+
+int VariantKernels::num_stored_constants() const {
+  return num_constant_sets() * static_cast<int>(constants.size());
+}
+
+int VariantKernels::num_stored_state() const { return (loop ? num_points : 1) * num_state; }
 
 const OperationKernels& VariantKernels::operation(const std::string& name) const {
   for (const OperationKernels& candidate : operations) {
@@ -354,17 +501,26 @@ const OperationKernels& VariantKernels::operation(const std::string& name) const
 
 VariantKernels build_kernels(ElementGraph graph, Geometry geometry, const Split& split,
                              const Profile& profile, Grouping grouping, StageLog& log) {
-  Builder builder(std::move(graph), geometry, split, profile, log);
+  const ElementGraph whole = graph;
+  const int num_points = static_cast<int>(whole.determinants.size());
+  Builder builder(std::move(graph), whole, num_points, geometry, split, profile, log);
   builder.collect_pieces();
-  builder.end_stage("collect fragments");
-  builder.share_what_is_known_at_rest();
-  builder.end_stage("share_pairs at rest");
-  builder.choose_constants(grouping);
-  builder.end_stage("extract_grouped_constants");
-  builder.cut_product();
-  builder.end_stage("cut the product");
+  builder.collect_geometry(whole);
+  builder.choose_what_is_stored(grouping);
   builder.schedule();
-  builder.end_stage("kernel_ast");
+  return builder.take();
+}
+
+VariantKernels build_point_kernels(PointwiseGraph graph, Geometry geometry, const Profile& profile,
+                                   Grouping grouping, StageLog& log) {
+  const Split unsplit;
+  Builder builder(std::move(graph.point), graph.whole, static_cast<int>(graph.weights.size()),
+                  geometry, unsplit, profile, log);
+  builder.collect_pieces();
+  builder.collect_geometry(graph.whole);
+  builder.choose_what_is_stored(grouping);
+  builder.collect_loop(graph);
+  builder.schedule();
   return builder.take();
 }
 
@@ -383,7 +539,99 @@ VariantKernels whole_kernels(Dag dag, NodeId energy, const std::vector<NodeId>& 
   return kernels;
 }
 
+/// Operations of a loop as graphs of the element's inputs, their structure unchanged.
+class WrittenOut {
+ public:
+  WrittenOut(const VariantKernels& kernels, Dag& target) : kernels_(kernels), target_(target) {
+    gradients_["U"] = interpolated("U", Stage::state);
+    gradients_["V"] = interpolated("V", Stage::direction);
+    gradients_["X"] = kernels.loop->is_affine ? copied(kernels.loop->jacobian.pieces[0].roots, {})
+                                              : interpolated("X", Stage::rest);
+  }
+
+  /// What an operation computes at point g.
+  [[nodiscard]] std::vector<NodeId> at_point(const std::vector<NodeId>& roots,
+                                             std::size_t g) const {
+    Images images;
+    const auto entries = static_cast<std::size_t>(kernels_.dim * kernels_.dim);
+    for (const auto& [field, gradients] : gradients_) {
+      const std::size_t first = gradients.size() > entries ? g * entries : 0;
+      for (int i = 0; i < kernels_.dim; ++i) {
+        for (int k = 0; k < kernels_.dim; ++k) {
+          images[gradient_name(field, i, k)] =
+              gradients[first + static_cast<std::size_t>(i * kernels_.dim + k)];
+        }
+      }
+    }
+    return copied(roots, images);
+  }
+
+  /// Nodal values of the fluxes that an operation computes at all points.
+  [[nodiscard]] std::vector<NodeId> integrated(const std::vector<NodeId>& roots) const {
+    Images images;
+    for (std::size_t g = 0; g < kernels_.loop->weights.size(); ++g) {
+      const std::vector<NodeId> fluxes = at_point(roots, g);
+      for (std::size_t k = 0; k < fluxes.size(); ++k) images[flux_name(g, k)] = fluxes[k];
+    }
+    return copied(kernels_.loop->integrate.pieces[0].roots, images);
+  }
+
+ private:
+  using Images = std::map<std::string, NodeId>;  // of inputs, by name
+
+  [[nodiscard]] std::vector<NodeId> interpolated(const std::string& field, Stage stage) const {
+    Images images;
+    for (int a = 0; a < kernels_.num_nodes; ++a) {
+      for (int i = 0; i < kernels_.dim; ++i) {
+        images[nodal_name("U", a, i)] = target_.symbol(nodal_name(field, a, i), stage);
+      }
+    }
+    return copied(kernels_.loop->interpolate.pieces[0].roots, images);
+  }
+
+  /// Inputs without an image keep their names.
+  [[nodiscard]] std::vector<NodeId> copied(const std::vector<NodeId>& roots,
+                                           const Images& images) const {
+    return rebuild(kernels_.dag, roots, [&](NodeId id, Node node) {
+      if (node.kind == Kind::symbol) {
+        const std::string& name = kernels_.dag.symbol_name(id);
+        const auto image = images.find(name);
+        return image == images.end() ? target_.symbol(name, node.stage) : image->second;
+      }
+      std::sort(node.operands.begin(), node.operands.end());
+      return target_.intern(std::move(node));
+    });
+  }
+
+  const VariantKernels& kernels_;
+  Dag& target_;
+  std::map<std::string, std::vector<NodeId>> gradients_;
+};
+
 }  // namespace
+
+VariantKernels written_out(const VariantKernels& kernels) {
+  if (!kernels.loop) return kernels;
+  const PointLoop& loop = *kernels.loop;
+  Dag dag(kernels.dag.number_pool());
+  const WrittenOut write(kernels, dag);
+  const Piece& energy_at_point = kernels.operation("energy").pieces[0];
+  std::vector<Operand> energies;
+  std::vector<NodeId> margins;
+  for (std::size_t g = 0; g < loop.weights.size(); ++g) {
+    energies.push_back({write.at_point(energy_at_point.roots, g)[0], loop.weights[g]});
+    const std::vector<NodeId> more = write.at_point(energy_at_point.margins, g);
+    margins.insert(margins.end(), more.begin(), more.end());
+  }
+  const NodeId energy = dag.sum(std::move(energies));
+  const auto nodal = [&](const char* operation) {
+    return write.integrated(kernels.operation(operation).pieces[0].roots);
+  };
+  const std::vector<NodeId> forces = nodal("forces"), product = nodal("product");
+  VariantKernels whole = whole_kernels(std::move(dag), energy, forces, product);
+  whole.operations[0].pieces[0].margins = margins;
+  return whole;
+}
 
 VariantKernels unoptimised_kernels(ElementGraph graph) {
   const auto parts = energy_parts(Split{}, static_cast<int>(graph.energies.size()),

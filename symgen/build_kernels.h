@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,30 @@ struct OperationKernels {
   std::vector<Fragment> fragments;  ///< one per piece
 };
 
+/// Whether an operation gives nodal values: forces, product, apply.
+[[nodiscard]] bool is_nodal(const std::string& operation);
+/// Whether an operation depends on an input array.
+[[nodiscard]] bool reads(const OperationKernels& operation, Slot slot);
+
+/// How operations on one quadrature point make those on an element. Each takes gradients in
+/// reference coordinates instead of nodal values, and gives fluxes instead of nodal forces:
+///   energy                     interpolate, each point, weigh
+///   forces, product, apply     interpolate, each point, integrate
+///   linearize                  interpolate, each point
+///   constants                  Jacobians, each point, or once if these are the same
+struct PointLoop {
+  std::vector<NumberId> weights;  ///< of the points
+  bool is_affine = false;         ///< Jacobians and constants are the same at all points
+  /// Gradients at all points of a nodal field (Slot::displacement), [(g * dim + i) * dim + k].
+  OperationKernels interpolate;
+  /// Nodal values of weighted fluxes at all points (Slot::displacement, likewise): the transpose.
+  OperationKernels integrate;
+  /// The energy of densities at all points (Slot::displacement).
+  OperationKernels weigh;
+  /// The Jacobian [i * dim + k] from positions, if affine; else it is interpolated from them.
+  OperationKernels jacobian;
+};
+
 /// All operations of one geometry variant of an association.
 struct VariantKernels {
   Geometry geometry = Geometry::general;
@@ -40,6 +65,18 @@ struct VariantKernels {
   bool reads_positions = false;  ///< energy ... stiffness read rest positions
   /// constants, geometry, energy, forces, product, linearize, apply, in this order
   std::vector<OperationKernels> operations;
+  /// If set, operations (but not geometry), constants and state are those of one point.
+  std::optional<PointLoop> loop;
+
+  /// Of an operation, per element.
+  [[nodiscard]] long flops(const std::string& name) const;
+  /// Numbers that an operation of an element computes.
+  [[nodiscard]] int num_outputs(const OperationKernels& operation) const;
+  /// How often an element stores the constants: for each point of a loop, or once.
+  [[nodiscard]] int num_constant_sets() const;
+  /// Numbers that one element stores.
+  [[nodiscard]] int num_stored_constants() const;
+  [[nodiscard]] int num_stored_state() const;
 
   [[nodiscard]] const OperationKernels& operation(const std::string& name) const;
 };
@@ -49,6 +86,16 @@ struct VariantKernels {
 [[nodiscard]] VariantKernels build_kernels(ElementGraph graph, Geometry geometry,
                                            const Split& split, const Profile& profile,
                                            Grouping grouping, StageLog& log);
+
+/// As `build_kernels`, each operation a loop over quadrature points: code of the size of one
+/// point's, where straight-line code would not fit into an instruction cache, and what the
+/// integration needs is derived once for all laws.
+[[nodiscard]] VariantKernels build_point_kernels(PointwiseGraph graph, Geometry geometry,
+                                                 const Profile& profile, Grouping grouping,
+                                                 StageLog& log);
+
+/// Kernels of a loop written out again, for evaluation: energy, forces and product of the element.
+[[nodiscard]] VariantKernels written_out(const VariantKernels& kernels);
 
 /// Energy, forces and product as they come from mechanics, without any pass: the reference.
 [[nodiscard]] VariantKernels unoptimised_kernels(ElementGraph graph);

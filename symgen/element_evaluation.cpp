@@ -29,13 +29,12 @@ Evaluation in_text(const ElementResults<Number>& results, const Text& text) {
 Evaluation evaluate_in_double(const AssociationId& id, const Law& law, const ElementCase& input,
                               const GenerateOptions& options) {
   const Formulation formulation(id, law, options.stabilise, options.derivation);
-  ElementGraph graph = formulation.graph(law, Geometry::general);
   const Profile& profile = find_profile(options.profile);
-  const Split split = choose_split(id, graph, formulation.element, profile).split;
-  const InputNames names(graph);
+  const Split split = choose_split(id, formulation, law, profile).split;
+  const InputNames names(formulation.graph(law, Geometry::general));
   StageLog log;
-  VariantKernels kernels = build_kernels(std::move(graph), Geometry::general, split, profile,
-                                         Grouping::minimum_cut, log);
+  VariantKernels kernels = written_out(
+      kernels_of(formulation, law, Geometry::general, split, profile, Grouping::minimum_cut, log));
   const ElementInputs inputs = names.in(kernels.dag);
   bool finite = true;
   Evaluation result = in_text(

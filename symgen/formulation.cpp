@@ -3,14 +3,31 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "symgen/build_kernels.h"
 
 namespace elastogen::symgen {
 
-ChosenSplit choose_split(const AssociationId& id, const ElementGraph& graph, const Element& element,
+namespace {
+
+bool may_be_loops(const Formulation& formulation, const Profile& profile) {
+  return formulation.derivation == Derivation::dag && formulation.quadrature.num_points() > 1 &&
+         profile.straight_line_flops < std::numeric_limits<long>::max();
+}
+
+}  // namespace
+
+ChosenSplit choose_split(const AssociationId& id, const Formulation& formulation, const Law& law,
                          const Profile& profile) {
   if (id.split != "auto") return {Split::parse(id.split), "asked for"};
+  if (may_be_loops(formulation, profile)) {
+    return {Split{}, fmt::format("unsplit: what has more than {} flops is a loop over quadrature "
+                                 "points (profile {})",
+                                 profile.straight_line_flops, profile.name)};
+  }
+  const Element& element = formulation.element;
+  const ElementGraph graph = formulation.graph(law, Geometry::general);
   const int num_terms = static_cast<int>(graph.energies.size());
   const int num_points = static_cast<int>(graph.energies[0].size());
   const auto num_fragments = [&](const Split& split) {
@@ -32,6 +49,21 @@ ChosenSplit choose_split(const AssociationId& id, const ElementGraph& graph, con
   return {splits.back(),
           fmt::format("finest split; even its fragments exceed {} flops (profile {})",
                       profile.fragment_flops, profile.name)};
+}
+
+VariantKernels kernels_of(const Formulation& formulation, const Law& law, Geometry geometry,
+                          const Split& split, const Profile& profile, Grouping grouping,
+                          StageLog& log) {
+  if (split.text() == "none" && may_be_loops(formulation, profile)) {
+    PointwiseGraph graph = formulation.pointwise_graph(law, geometry);
+    log.end("pointwise_graph", graph.point.dag.size() + graph.whole.dag.size());
+    VariantKernels kernels =
+        build_point_kernels(std::move(graph), geometry, profile, grouping, log);
+    if (kernels.flops("product") > profile.straight_line_flops) return kernels;
+  }
+  ElementGraph graph = formulation.graph(law, geometry);
+  log.end("element_graph", graph.dag.size());
+  return build_kernels(std::move(graph), geometry, split, profile, grouping, log);
 }
 
 }  // namespace elastogen::symgen

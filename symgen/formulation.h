@@ -2,6 +2,7 @@
 // variant, and the split.
 #pragma once
 
+#include "symgen/build_kernels.h"
 #include "symgen/mechanics/element_graph.h"
 #include "symgen/mechanics/energy.h"
 #include "symgen/passes/profile.h"
@@ -21,6 +22,9 @@ struct Formulation {
   [[nodiscard]] ElementGraph graph(const Law& law, Geometry geometry) const {
     return build_element_graph(law, energy, element, quadrature, geometry, derivation);
   }
+  [[nodiscard]] PointwiseGraph pointwise_graph(const Law& law, Geometry geometry) const {
+    return build_pointwise_graph(law, energy, element, quadrature, geometry);
+  }
   const Element& element;
   const Quadrature& quadrature;
   EnergyDensity energy;
@@ -32,9 +36,15 @@ struct ChosenSplit {
   std::string reason;
 };
 
-/// The split of an association; for `auto`, the coarsest whose fragments stay below the profile's
-/// limit (fewest fragments first).
-[[nodiscard]] ChosenSplit choose_split(const AssociationId& id, const ElementGraph& graph,
-                                       const Element& element, const Profile& profile);
+/// The split of an association; for `auto` none where unsplit kernels may be loops over points,
+/// else the coarsest whose fragments stay below the profile's limit (fewest fragments first).
+[[nodiscard]] ChosenSplit choose_split(const AssociationId& id, const Formulation& formulation,
+                                       const Law& law, const Profile& profile);
+
+/// The kernels of one geometry variant, as loops over quadrature points where they are unsplit and
+/// too long for straight-line code. GiNaC's derivatives are of whole elements: never loops.
+[[nodiscard]] VariantKernels kernels_of(const Formulation& formulation, const Law& law,
+                                        Geometry geometry, const Split& split,
+                                        const Profile& profile, Grouping grouping, StageLog& log);
 
 }  // namespace elastogen::symgen

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <optional>
 #include <set>
 
 #include "runtime/error.h"
@@ -21,57 +20,55 @@
 namespace elastogen::symgen {
 namespace {
 
-/// Distinct indices that an operation's fragments read from one input array.
-std::size_t numbers_read(const OperationKernels& operation, Slot slot) {
-  std::set<int> read;
-  const auto see = [&](const Reference& value) {
-    if (value.slot == slot) read.insert(value.index);
-  };
-  for (const Fragment& fragment : operation.fragments) {
-    for (const Statement& statement : fragment.statements) {
-      for (const Factor& factor : statement.factors) see(factor.value);
-      for (const TermGroup& group : statement.groups) {
-        for (const TermGroup::Term& term : group.terms) see(term.value);
-      }
-    }
-    for (const Output& output : fragment.outputs) see(output.value);
+/// Numbers of an input array that one element reads.
+std::size_t numbers_read(const VariantKernels& kernels, const OperationKernels& operation,
+                         Slot slot) {
+  std::set<int> indices;
+  for (const Fragment& fragment : operation.fragments) indices.merge(indices_read(fragment, slot));
+  const std::size_t read = indices.size();
+  if (!kernels.loop || operation.name == "geometry") return read;
+  switch (slot) {
+    case Slot::constant:
+      return read * static_cast<std::size_t>(kernels.num_constant_sets());
+    case Slot::state:
+      return read * static_cast<std::size_t>(kernels.num_points);
+    default:  // nodal values, of which gradients are interpolated
+      return read > 0 ? static_cast<std::size_t>(kernels.num_nodes * kernels.dim) : 0;
   }
-  return read.size();
 }
 
-OperationReport report_of(const OperationKernels& operation) {
+OperationReport report_of(const VariantKernels& kernels, const OperationKernels& operation) {
   OperationReport report;
   report.name = operation.name;
-  for (const Fragment& fragment : operation.fragments) {
-    report.flops += fragment.operations.flops();
-  }
+  report.flops = kernels.flops(operation.name);
   report.fragments = static_cast<int>(operation.fragments.size());
-  report.constants = static_cast<int>(operation.name == "constants"
-                                          ? static_cast<std::size_t>(operation.num_outputs)
-                                          : numbers_read(operation, Slot::constant));
-  report.state = static_cast<int>(operation.name == "linearize"
-                                      ? static_cast<std::size_t>(operation.num_outputs)
-                                      : numbers_read(operation, Slot::state));
+  const int num_outputs = kernels.num_outputs(operation);
+  report.constants = operation.name == "constants"
+                         ? num_outputs
+                         : static_cast<int>(numbers_read(kernels, operation, Slot::constant));
+  report.state = operation.name == "linearize"
+                     ? num_outputs
+                     : static_cast<int>(numbers_read(kernels, operation, Slot::state));
   for (const Slot slot :
        {Slot::position, Slot::constant, Slot::displacement, Slot::direction, Slot::state}) {
-    report.bytes_read += static_cast<long>(sizeof(double) * numbers_read(operation, slot));
+    report.bytes_read += static_cast<long>(sizeof(double) * numbers_read(kernels, operation, slot));
   }
-  report.bytes_written = static_cast<long>(sizeof(double)) * operation.num_outputs;
+  report.bytes_written = static_cast<long>(sizeof(double)) * num_outputs;
   return report;
 }
 
 VariantReport report_of(const VariantKernels& kernels) {
   VariantReport report;
   report.geometry = geometry_name(kernels.geometry);
-  report.num_constants = static_cast<int>(kernels.constants.size());
-  report.num_state = kernels.num_state;
+  report.num_constants = kernels.num_stored_constants();
+  report.num_state = kernels.num_stored_state();
   report.reads_positions = kernels.reads_positions;
-  report.constants_algorithm6 = kernels.constants_algorithm6;
+  report.constants_algorithm6 = kernels.num_constant_sets() * kernels.constants_algorithm6;
   for (const OperationKernels& operation : kernels.operations) {
-    report.operations.push_back(report_of(operation));
+    report.operations.push_back(report_of(kernels, operation));
   }
-  const OperationReport linearize = report_of(kernels.operation("linearize"));
-  const OperationReport apply = report_of(kernels.operation("apply"));
+  const OperationReport linearize = report_of(kernels, kernels.operation("linearize"));
+  const OperationReport apply = report_of(kernels, kernels.operation("apply"));
   const int num_dofs = kernels.num_nodes * kernels.dim;
   OperationReport stiffness = linearize;
   stiffness.name = "stiffness";
@@ -114,21 +111,14 @@ GeneratedAssociation generate_association(const AssociationId& id, const Law& la
   GeneratedAssociation result;
   result.id = id;
   result.hash = association_hash(id, law, options);
-  std::optional<Split> split;
+  const ChosenSplit chosen = choose_split(id, formulation, law, profile);
+  result.chosen_split = chosen.split.text();
+  result.split_reason = chosen.reason;
   std::vector<VariantKernels> variants;
   for (const Geometry geometry : geometries_of(formulation.element)) {
     StageLog log;
-    ElementGraph graph = formulation.graph(law, geometry);
-    log.end("element_graph", graph.dag.size());
-    if (!split) {
-      const ChosenSplit chosen = choose_split(id, graph, formulation.element, profile);
-      split = chosen.split;
-      result.chosen_split = chosen.split.text();
-      result.split_reason = chosen.reason;
-      log.end("choose_split", graph.dag.size());
-    }
     variants.push_back(
-        build_kernels(std::move(graph), geometry, *split, profile, options.grouping, log));
+        kernels_of(formulation, law, geometry, chosen.split, profile, options.grouping, log));
     result.variants.push_back(report_of(variants.back()));
     result.variants.back().stages = log.records();
   }
@@ -172,11 +162,10 @@ std::string dot_graph(const AssociationId& id, const Law& law, const GenerateOpt
                       const std::string& operation) {
   const Profile& profile = find_profile(options.profile);
   const Formulation formulation(id, law, options.stabilise, options.derivation);
-  ElementGraph graph = formulation.graph(law, Geometry::general);
-  const Split split = choose_split(id, graph, formulation.element, profile).split;
+  const Split split = choose_split(id, formulation, law, profile).split;
   StageLog log;
   const VariantKernels kernels =
-      build_kernels(std::move(graph), Geometry::general, split, profile, options.grouping, log);
+      kernels_of(formulation, law, Geometry::general, split, profile, options.grouping, log);
   std::vector<LabelledRoot> roots;
   for (const Piece& piece : kernels.operation(operation).pieces) {
     for (std::size_t k = 0; k < piece.roots.size(); ++k) {

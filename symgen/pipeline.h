@@ -4,7 +4,8 @@
 //     -> energy density W(H)          symgen/mechanics/energy        (GiNaC, definitions not
 //     expanded)
 //     -> lowered expression DAG       symgen/dag/lower               (exact numbers, hash-consed)
-//     -> energies of the element      symgen/mechanics/element_graph (per law term and Gauss point)
+//     -> energies of the element      symgen/mechanics/element_graph (per law term and Gauss point,
+//                                     or at any one point, of gradients in reference coordinates)
 //     -> forces, product              symgen/dag/differentiate       (reverse, then forward mode)
 //                                     or symgen/mechanics/ginac_derivatives (--derive ginac)
 //     -> fragments                    symgen/passes/split
@@ -14,7 +15,8 @@
 //     -> C++ text, OpenCL C text      symgen/emit/print_cpp, print_opencl (both of the same
 //                                     statements, by the walk of operation_printer)
 //
-// symgen/build_kernels calls the stages from derivatives to statements, symgen/pipeline the whole.
+// symgen/build_kernels calls the stages from derivatives to statements, symgen/pipeline the whole;
+// symgen/formulation decides whether kernels are straight-line or loops over quadrature points.
 #pragma once
 
 #include <cstdint>

@@ -328,6 +328,21 @@ FragmentGroup group_of(const std::vector<const Fragment*>& members) {
 
 }  // namespace
 
+std::set<int> indices_read(const Fragment& fragment, Slot slot) {
+  std::set<int> read;
+  const auto see = [&](const Reference& value) {
+    if (value.slot == slot) read.insert(value.index);
+  };
+  for (const Statement& statement : fragment.statements) {
+    for (const Factor& factor : statement.factors) see(factor.value);
+    for (const TermGroup& group : statement.groups) {
+      for (const TermGroup::Term& term : group.terms) see(term.value);
+    }
+  }
+  for (const Output& output : fragment.outputs) see(output.value);
+  return read;
+}
+
 Fragment make_fragment(const Dag& dag, std::span<const NodeId> roots, std::span<const int> outputs,
                        const Inputs& inputs, SumStyle style) {
   Scheduler scheduler(dag, inputs, style);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <compare>
+#include <set>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -85,6 +86,9 @@ struct Fragment {
   std::vector<Output> outputs;
   OperationCount operations;
 };
+
+/// Indices into an input array that a fragment reads.
+[[nodiscard]] std::set<int> indices_read(const Fragment& fragment, Slot slot);
 
 /// Nodes that a fragment does not compute but reads.
 using Inputs = std::unordered_map<NodeId, Reference>;

@@ -19,6 +19,12 @@ std::string braced(const Row& row, const Text& text) {
   return result + "}";
 }
 
+/// Functions that map between nodes and points.
+constexpr const char* interpolate = "interpolate";
+constexpr const char* integrate = "integrate";
+constexpr const char* weigh = "weigh";
+constexpr const char* jacobian_of = "jacobian";
+
 std::string summary(const OperationKernels& operation, std::size_t num_groups) {
   long flops = 0;
   for (const Fragment& fragment : operation.fragments) flops += fragment.operations.flops();
@@ -32,11 +38,19 @@ std::string summary(const OperationKernels& operation, std::size_t num_groups) {
 
 }  // namespace
 
-void OperationPrinter::print_operation(const OperationKernels& operation, SourceWriter& out) const {
-  if (operation.fragments.size() == 1) {
-    print_whole(operation, out);
-    return;
+void OperationPrinter::print_operation(const VariantKernels& kernels,
+                                       const OperationKernels& operation, SourceWriter& out) const {
+  if (kernels.loop && operation.name != "geometry") {
+    print_loop(kernels, operation, out);
+  } else if (operation.fragments.size() == 1) {
+    out.line(summary(operation, 1));
+    print_whole(operation, function_name(operation.name), Role::whole, out);
+  } else {
+    print_fragments(operation, out);
   }
+}
+
+void OperationPrinter::print_fragments(const OperationKernels& operation, SourceWriter& out) const {
   const std::vector<FragmentGroup> groups = group_fragments(operation.fragments);
   const std::string whole = function_name(operation.name);
   std::vector<std::string> calls;
@@ -61,10 +75,10 @@ void OperationPrinter::print_operation(const OperationKernels& operation, Source
   close_function(out);
 }
 
-void OperationPrinter::print_whole(const OperationKernels& operation, SourceWriter& out) const {
+void OperationPrinter::print_whole(const OperationKernels& operation, const std::string& name,
+                                   Role role, SourceWriter& out) const {
   const Fragment& fragment = operation.fragments[0];
-  out.line(summary(operation, 1));
-  open_function(function_name(operation.name), Role::whole, out);
+  open_function(name, role, out);
   std::vector<bool> written(static_cast<std::size_t>(operation.num_outputs), false);
   for (const Output& each : fragment.outputs) {
     if (each.index != Output::margin) written[each.index] = true;
@@ -73,6 +87,73 @@ void OperationPrinter::print_whole(const OperationKernels& operation, SourceWrit
     if (!written[k]) out.line(fmt::format("out[{}] = {};", k, zero()));
   }
   print(fragment, false, out);
+  close_function(out);
+}
+
+void OperationPrinter::print_maps(const PointLoop& loop, SourceWriter& out) const {
+  const auto print_map = [&](const OperationKernels& map, const char* name, const char* what) {
+    out.line(fmt::format("/// {}: {} flops", what, map.fragments[0].operations.flops()));
+    print_whole(map, function_name(name), Role::fragment, out);
+  };
+  print_map(loop.interpolate, interpolate,
+            "gradients in reference coordinates at all points, of nodal values u");
+  print_map(loop.integrate, integrate, "nodal values of the fluxes u at all points");
+  print_map(loop.weigh, weigh, "energy of the densities u at all points");
+  if (loop.is_affine) print_map(loop.jacobian, jacobian_of, "Jacobian of rest positions x");
+}
+
+std::string OperationPrinter::print_gradients(const VariantKernels& kernels,
+                                              const std::string& field, SourceWriter& out) const {
+  const PointLoop& loop = *kernels.loop;
+  const int entries = kernels.dim * kernels.dim;
+  const bool is_once = field == "x" && loop.is_affine;
+  const std::string name = "d" + field;
+  out.line(array(name, (is_once ? 1 : kernels.num_points) * entries));
+  Arrays arrays;
+  (is_once ? arrays.x : arrays.u) = field;
+  arrays.out = name;
+  out.line(call_with(function_name(is_once ? jacobian_of : interpolate), arrays));
+  return is_once ? name : fmt::format("{} + {} * g", name, entries);
+}
+
+void OperationPrinter::print_loop(const VariantKernels& kernels, const OperationKernels& operation,
+                                  SourceWriter& out) const {
+  const std::string& name = operation.name;
+  const std::string at_point = function_name(name + "_at_point");
+  out.line(summary(operation, 1) + " and point");
+  print_whole(operation, at_point, Role::whole, out);
+
+  const bool is_constants = name == "constants";
+  const bool is_same_everywhere = kernels.loop->is_affine;
+  const bool is_loop = !is_constants || !is_same_everywhere;
+  out.line(fmt::format("/// {}: {} flops per element", name, kernels.flops(name)));
+  open_function(function_name(name), Role::whole, out);
+  Arrays point;
+  if (reads(operation, Slot::position)) point.x = print_gradients(kernels, "x", out);
+  if (reads(operation, Slot::displacement)) point.u = print_gradients(kernels, "u", out);
+  if (reads(operation, Slot::direction)) point.v = print_gradients(kernels, "v", out);
+  if (!is_constants && !is_same_everywhere) {
+    point.c = stored_at("c", fmt::format("{} * g", kernels.constants.size()));
+  }
+  if (name == "apply") point.s = stored_at("s", fmt::format("{} * g", kernels.num_state));
+  const bool is_stored = !is_nodal(name) && name != "energy";
+  if (!is_stored) out.line(array("result", kernels.num_points * operation.num_outputs));
+  point.out = is_stored ? "out" : "result";
+  if (is_loop) {
+    point.out += fmt::format(" + {} * g", operation.num_outputs);
+    out.line(fmt::format("for (int g = 0; g < {}; ++g) {{", kernels.num_points));
+    out.indent();
+  }
+  out.line(call_with(at_point, point));
+  if (is_loop) {
+    out.outdent();
+    out.line("}");
+  }
+  if (!is_stored) {
+    Arrays last;
+    last.u = "result";
+    out.line(call_with(function_name(is_nodal(name) ? integrate : weigh), last));
+  }
   close_function(out);
 }
 

@@ -12,16 +12,26 @@ namespace elastogen::symgen {
 
 /// An operation that is one fragment is one function, which assigns its outputs. Else there is one
 /// function per fragment group, which adds to them, and one that sets them to zero and calls those;
-/// where fragments differ in numbers and indices, they read those from a row of a table.
+/// where fragments differ in numbers and indices, they read those from a row of a table. An
+/// operation that is a loop over points is a function for one point, and one that calls it.
 class OperationPrinter : public ExpressionPrinter {
  public:
   using ExpressionPrinter::ExpressionPrinter;
 
-  void print_operation(const OperationKernels& operation, SourceWriter& out) const;
+  void print_operation(const VariantKernels& kernels, const OperationKernels& operation,
+                       SourceWriter& out) const;
+
+  /// The maps between nodes and points, functions that the operations of a loop call.
+  void print_maps(const PointLoop& loop, SourceWriter& out) const;
 
  protected:
   /// `whole` computes an operation, `caller` adds up its fragments; a fragment may get a table row.
   enum class Role { whole, caller, fragment, fragment_with_row };
+
+  /// The arrays of a call as text.
+  struct Arrays {
+    std::string x = "x", c = "c", u = "u", v = "v", s = "s", out = "out";
+  };
 
   /// Name of an operation's function.
   [[nodiscard]] virtual std::string function_name(const std::string& operation) const = 0;
@@ -33,6 +43,15 @@ class OperationPrinter : public ExpressionPrinter {
   [[nodiscard]] virtual std::string call(const std::string& name, Role role,
                                          std::size_t count) const = 0;
 
+  /// An array of `count` values of the type of outputs, and the statement that calls a function
+  /// that is no fragment with a row.
+  [[nodiscard]] virtual std::string array(const std::string& name, int count) const = 0;
+  [[nodiscard]] virtual std::string call_with(const std::string& name,
+                                              const Arrays& arrays) const = 0;
+  /// `count` entries of constants or state on from the beginning of "c" or "s".
+  [[nodiscard]] virtual std::string stored_at(const std::string& array,
+                                              const std::string& count) const = 0;
+
   /// Tables, type NAME_row and array NAME_rows: the type's opening and closing line, a number's
   /// type in it and its text, and the array's opening line.
   [[nodiscard]] virtual std::string open_row_type(const std::string& name) const = 0;
@@ -42,7 +61,14 @@ class OperationPrinter : public ExpressionPrinter {
   [[nodiscard]] virtual std::string open_rows(const std::string& name, std::size_t count) const = 0;
 
  private:
-  void print_whole(const OperationKernels& operation, SourceWriter& out) const;
+  void print_fragments(const OperationKernels& operation, SourceWriter& out) const;
+  void print_whole(const OperationKernels& operation, const std::string& name, Role role,
+                   SourceWriter& out) const;
+  /// Gradients of a nodal field at all points; what a point's are called in the loop.
+  std::string print_gradients(const VariantKernels& kernels, const std::string& field,
+                              SourceWriter& out) const;
+  void print_loop(const VariantKernels& kernels, const OperationKernels& operation,
+                  SourceWriter& out) const;
   void print_rows(const FragmentGroup& group, const std::string& name, SourceWriter& out) const;
 };
 

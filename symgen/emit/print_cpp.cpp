@@ -71,6 +71,16 @@ class CppPrinter : public OperationPrinter {
     const std::string once = fmt::format("{}<V>(in, out, margin);", name);
     return count > 1 ? fmt::format("for (int k = 0; k < {}; ++k) {}", count, once) : once;
   }
+  std::string array(const std::string& name, int count) const override {
+    return fmt::format("V {}[{}];", name, count);
+  }
+  std::string call_with(const std::string& name, const Arrays& arrays) const override {
+    return fmt::format("{}<V>(kernel::Inputs<V>{{{}, p, {}, {}, {}, {}}}, {}, margin);", name,
+                       arrays.x, arrays.c, arrays.u, arrays.v, arrays.s, arrays.out);
+  }
+  std::string stored_at(const std::string& array, const std::string& count) const override {
+    return fmt::format("{} + {}", array, count);
+  }
   std::string open_row_type(const std::string& name) const override {
     return fmt::format("struct {}_row {{", name);
   }
@@ -90,7 +100,7 @@ void print_stiffness(const VariantKernels& kernels, SourceWriter& out) {
   out.line("template <class V>");
   out.line(fmt::format("inline void stiffness{}) {{", kernel_parameters));
   out.indent();
-  out.line(fmt::format("V state[{}];", std::max(kernels.num_state, 1)));
+  out.line(fmt::format("V state[{}];", std::max(kernels.num_stored_state(), 1)));
   out.line("linearize<V>(in, state, margin);");
   out.line(fmt::format("V direction[{}] = {{}};", num_dofs));
   out.line(fmt::format("V column[{}];", num_dofs));
@@ -137,14 +147,16 @@ std::string print_cpp_header(const AssociationId& id, const Provenance& provenan
     const std::string geometry = geometry_name(kernels.geometry);
     out.line(fmt::format("namespace {} {{", geometry));
     out.line();
-    out.line(fmt::format("inline constexpr int num_constants = {};", kernels.constants.size()));
-    out.line(fmt::format("inline constexpr int num_state = {};", kernels.num_state));
+    out.line(
+        fmt::format("inline constexpr int num_constants = {};", kernels.num_stored_constants()));
+    out.line(fmt::format("inline constexpr int num_state = {};", kernels.num_stored_state()));
     out.line(fmt::format("inline constexpr bool reads_positions = {};", kernels.reads_positions));
     out.line();
     const CppPrinter printer(kernels.dag.numbers());
+    if (kernels.loop) printer.print_maps(*kernels.loop, out);
     for (const OperationKernels& operation : kernels.operations) {
       const std::size_t before = out.size();
-      printer.print_operation(operation, out);
+      printer.print_operation(kernels, operation, out);
       set_code_bytes(reports[k], operation.name, out.size() - before);
     }
     const std::size_t before = out.size();

@@ -70,6 +70,16 @@ class OpenclPrinter : public OperationPrinter {
                     role == Role::fragment_with_row ? fmt::format(", &{}_rows[k]", name) : "");
     return count > 1 ? fmt::format("for (int k = 0; k < {}; ++k) {}", count, once) : once;
   }
+  std::string array(const std::string& name, int count) const override {
+    return fmt::format("real {}[{}];", name, count);
+  }
+  std::string call_with(const std::string& name, const Arrays& arrays) const override {
+    return fmt::format("{}({}, p, {}, {}, {}, {}, n, {}, margin);", name, arrays.x, arrays.c,
+                       arrays.u, arrays.v, arrays.s, arrays.out);
+  }
+  std::string stored_at(const std::string& array, const std::string& count) const override {
+    return fmt::format("{} + {} * n", array, count);
+  }
   std::string open_row_type(const std::string&) const override { return "typedef struct {"; }
   std::string close_row_type(const std::string& name) const override {
     return fmt::format("}} {}_row;", name);
@@ -113,6 +123,7 @@ void print_kernel(const AssociationId& id, const VariantKernels& kernels,
   const std::string function = printer.function_name(operation.name);
   const std::string shape = fmt::format("{}, {}", kernels.num_nodes, kernels.dim);
   const int num_dofs = kernels.num_nodes * kernels.dim;
+  const int num_outputs = kernels.num_outputs(operation);
   out.line(fmt::format("__kernel void {}_{}(ELASTOGEN_ELEMENT_ARGUMENTS) {{", id.identifier(),
                        function));
   out.indent();
@@ -128,7 +139,7 @@ void print_kernel(const AssociationId& id, const VariantKernels& kernels,
   const std::string x = gather(at_rest || kernels.reads_positions, "x", "positions");
   const std::string u = gather(interface.displacement, "u", "displacement");
   const std::string v = gather(interface.direction, "v", "direction");
-  out.line(fmt::format("real out[{}];", std::max(operation.num_outputs, 1)));
+  out.line(fmt::format("real out[{}];", std::max(num_outputs, 1)));
   out.line("real margin = 1;");
   out.line(fmt::format("{}({}, parameters, {}, {}, {}, {}, stride, out, &margin);", function, x,
                        at_rest ? "0" : "constants + e", u, v,
@@ -136,8 +147,8 @@ void print_kernel(const AssociationId& id, const VariantKernels& kernels,
   out.line(
       interface.scatters
           ? fmt::format("scatter({}, e, stride, node_stride, nodes, slots, out, output);", shape)
-          : fmt::format("store_rows({}, e, stride, out, output);", operation.num_outputs));
-  out.line(fmt::format("report_status(margin, {}, out, e, status);", operation.num_outputs));
+          : fmt::format("store_rows({}, e, stride, out, output);", num_outputs));
+  out.line(fmt::format("report_status(margin, {}, out, e, status);", num_outputs));
   out.outdent();
   out.line("}");
   out.line();
@@ -166,15 +177,16 @@ std::string print_opencl(const AssociationId& id, const Provenance& provenance,
   out.line();
   for (const VariantKernels& kernels : variants) {
     const std::string geometry = geometry_name(kernels.geometry);
-    out.line(
-        fmt::format("// ---- {}: dim = {}, num_nodes = {}, num_points = {}, num_constants = {}, "
-                    "num_state = {}, reads_positions = {}",
-                    geometry, kernels.dim, kernels.num_nodes, kernels.num_points,
-                    kernels.constants.size(), kernels.num_state, kernels.reads_positions));
+    out.line(fmt::format(
+        "// ---- {}: dim = {}, num_nodes = {}, num_points = {}, num_constants = {}, "
+        "num_state = {}, reads_positions = {}",
+        geometry, kernels.dim, kernels.num_nodes, kernels.num_points,
+        kernels.num_stored_constants(), kernels.num_stored_state(), kernels.reads_positions));
     out.line();
     const OpenclPrinter printer(kernels.dag.numbers(), geometry);
+    if (kernels.loop) printer.print_maps(*kernels.loop, out);
     for (const OperationKernels& operation : kernels.operations) {
-      printer.print_operation(operation, out);
+      printer.print_operation(kernels, operation, out);
       print_kernel(id, kernels, operation, printer, out);
     }
   }

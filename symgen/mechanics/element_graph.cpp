@@ -7,113 +7,37 @@
 #include "runtime/error.h"
 #include "symgen/dag/differentiate.h"
 #include "symgen/dag/lower.h"
+#include "symgen/mechanics/reference_gradients.h"
 
 namespace elastogen::symgen {
 namespace {
 
-using ExactMatrix = std::vector<std::vector<ExactNumber>>;  // [node][reference coordinate]
-using NodeMatrix = std::vector<std::vector<NodeId>>;
-
-/// Gradients of the shape functions in reference coordinates at a point.
-ExactMatrix shape_gradients(const Element& element, const std::vector<GiNaC::ex>& point) {
-  std::map<GiNaC::ex, ExactNumber, GiNaC::ex_is_less> values;
-  for (int k = 0; k < element.dim; ++k) {
-    values[element.coordinates[k]] = exact_value(point[k], {});
+/// Row after row.
+void append(std::vector<NodeId>& entries, const NodeMatrix& matrix) {
+  for (const std::vector<NodeId>& row : matrix) {
+    entries.insert(entries.end(), row.begin(), row.end());
   }
-  ExactMatrix gradients;
-  for (const GiNaC::ex& shape : element.shape_functions) {
-    std::vector<ExactNumber> row;
-    for (const GiNaC::symbol& coordinate : element.coordinates) {
-      row.push_back(exact_value(shape.diff(coordinate), values));
-    }
-    gradients.push_back(std::move(row));
-  }
-  return gradients;
-}
-
-/// How nodes come together along one reference coordinate: nodes whose coefficients are opposite at
-/// every quadrature point are pairs (the edges of a hexahedron); others, unless theirs vanish, are
-/// alone.
-struct NodePairs {
-  std::vector<Difference> pairs;
-  std::vector<int> alone;  // ascending
-};
-
-NodePairs pair_nodes(const std::vector<ExactMatrix>& gradients, int k) {
-  const int num_nodes = static_cast<int>(gradients[0].size());
-  const auto opposite = [&](int a, int b) {
-    for (const ExactMatrix& at_point : gradients) {
-      if (!(at_point[a][k] == -at_point[b][k])) return false;
-    }
-    return true;
-  };
-  const auto vanishes = [&](int a) {
-    for (const ExactMatrix& at_point : gradients) {
-      if (!at_point[a][k].is_zero()) return false;
-    }
-    return true;
-  };
-  NodePairs result;
-  std::vector<bool> done(num_nodes, false);
-  for (int a = 0; a < num_nodes; ++a) {
-    if (done[a] || vanishes(a)) continue;
-    for (int b = a + 1; b < num_nodes && !done[a]; ++b) {
-      if (done[b] || !opposite(a, b)) continue;
-      result.pairs.push_back({a, b});
-      done[a] = done[b] = true;
-    }
-    if (!done[a]) result.alone.push_back(a);
-  }
-  return result;
-}
-
-/// Since the gradients of a partition of unity add up to zero, sum_a c_a U_a may be written with
-/// differences of U only: those of pairs, and of nodes that are alone from one of them. This one is
-/// the same along all coordinates where there is such a node: its differences are shared then.
-/// @return [reference coordinate]
-std::vector<std::vector<Difference>> nodal_differences(const std::vector<ExactMatrix>& gradients,
-                                                       int dim) {
-  std::vector<NodePairs> along;
-  for (int k = 0; k < dim; ++k) along.push_back(pair_nodes(gradients, k));
-  std::vector<int> common = along[0].alone;
-  for (const NodePairs& each : along) {
-    std::erase_if(common, [&](int a) {
-      return !std::binary_search(each.alone.begin(), each.alone.end(), a);
-    });
-  }
-  std::vector<std::vector<Difference>> differences;
-  for (NodePairs& each : along) {
-    std::vector<Difference>& result = differences.emplace_back(std::move(each.pairs));
-    if (each.alone.empty()) continue;
-    const int reference = common.empty() ? each.alone.back() : common.back();
-    for (const int a : each.alone) {
-      if (a != reference) result.push_back({a, reference});
-    }
-  }
-  return differences;
 }
 
 /// Builds the parts of the graph that belong to one quadrature point after the other.
 class Builder {
  public:
   Builder(const Element& element, const Quadrature& quadrature, Geometry geometry)
-      : element_(element), quadrature_(quadrature), geometry_(geometry) {
-    for (const std::vector<GiNaC::ex>& point : quadrature.points) {
-      gradients_.push_back(shape_gradients(element, point));
-    }
-    differences_ = nodal_differences(gradients_, element.dim);
-  }
+      : element_(element),
+        quadrature_(quadrature),
+        geometry_(geometry),
+        gradients_(element, quadrature) {}
 
   void add_inputs(const Law& law) {
-    static const char* const component[] = {"x", "y", "z"};
-    for (const Parameter& parameter : law.parameters) {
-      graph_.parameters.push_back(graph_.dag.symbol(parameter.name, Stage::material));
-    }
+    add_parameters(law);
+    add_fields();
+  }
+
+  void add_fields() {
     const auto add = [&](std::vector<NodeId>& nodes, const std::string& letter, Stage stage) {
       for (int a = 0; a < element_.num_nodes(); ++a) {
         for (int i = 0; i < element_.dim; ++i) {
-          nodes.push_back(
-              graph_.dag.symbol(letter + std::to_string(a) + "." + component[i], stage));
+          nodes.push_back(graph_.dag.symbol(nodal_name(letter, a, i), stage));
         }
       }
     };
@@ -123,44 +47,26 @@ class Builder {
   }
 
   void add_energies(const Law& law, const EnergyDensity& energy, Derivation derivation) {
-    graph_.energies.resize(energy.terms.size());
-    graph_.energy_values.resize(energy.terms.size());
     std::optional<GinacDerivatives> by_ginac;
     if (derivation == Derivation::ginac) {
-      by_ginac.emplace(law, energy, element_.num_nodes(), differences_, graph_.dag.number_pool());
+      by_ginac.emplace(law, energy, element_.num_nodes(), gradients_.differences(),
+                       graph_.dag.number_pool());
       graph_.derivatives.resize(energy.terms.size());
     }
     for (int g = 0; g < quadrature_.num_points(); ++g) {
       const NodeMatrix jacobian = jacobian_at(g);
-      const NodeId determinant = determinant_of(jacobian);
-      graph_.determinants.push_back(determinant);
-      const NodeMatrix inverse_jacobian = inverse_of(jacobian);
-      const NodeMatrix gradient =
-          matrix_product(reference_gradient(graph_.displacement, g), inverse_jacobian);
-
-      SymbolNodes symbols;
-      for (std::size_t p = 0; p < law.parameters.size(); ++p) {
-        symbols[law.parameters[p].symbol] = graph_.parameters[p];
-      }
-      for (int i = 0; i < element_.dim; ++i) {
-        for (int j = 0; j < element_.dim; ++j) {
-          symbols[energy.gradient[i * element_.dim + j]] = gradient[i][j];
-        }
-      }
-      for (const Definition& definition : energy.definitions) {
-        symbols[definition.symbol] = lower(graph_.dag, definition.value, symbols);
-      }
-      const NumberId weight = graph_.dag.numbers().intern(exact_value(quadrature_.weights[g], {}));
-      for (std::size_t l = 0; l < energy.terms.size(); ++l) {
-        graph_.energies[l].push_back(
-            weighted(lower(graph_.dag, energy.terms[l], symbols), determinant, weight));
-        graph_.energy_values[l].push_back(
-            weighted(lower(graph_.dag, energy.values[l], symbols), determinant, weight));
-      }
+      const NodeMatrix inverse = add_jacobian(jacobian);
+      const NodeMatrix gradient = gradients_.of(graph_.dag, graph_.displacement, g);
+      const ExactNumber weight = exact_value(quadrature_.weights[g], {});
+      add_point(law, energy, inverse, gradient, weight);
       if (!by_ginac) continue;
-      const PointValues values{graph_.parameters, graph_.displacement,
-                               graph_.direction,  difference_coefficients(g),
-                               inverse_jacobian,  graph_.dag.scale(weight, determinant)};
+      const PointValues values{
+          graph_.parameters,
+          graph_.displacement,
+          graph_.direction,
+          gradients_.coefficients(graph_.dag, g),
+          inverse,
+          graph_.dag.scale(graph_.dag.numbers().intern(weight), graph_.determinants.back())};
       for (std::size_t l = 0; l < energy.terms.size(); ++l) {
         graph_.derivatives[l].push_back(by_ginac->at_point(graph_.dag, l, values));
       }
@@ -199,9 +105,102 @@ class Builder {
     graph_.dag = std::move(rich.graph_.dag);
   }
 
+  /// The energy at any one point, of the gradients in reference coordinates of position,
+  /// displacement and direction there, which are its inputs; without the point's weight.
+  void add_point_alone(const Law& law, const EnergyDensity& energy) {
+    add_parameters(law);
+    const auto inputs = [&](const char* field, Stage stage) {
+      return gradient_inputs(graph_.dag, field, element_.dim, stage);
+    };
+    NodeMatrix jacobian = inputs("X", Stage::rest);
+    const NodeMatrix gradient = inputs("U", Stage::state);
+    append(graph_.positions, jacobian);
+    append(graph_.displacement, gradient);
+    append(graph_.direction, inputs("V", Stage::direction));
+    if (geometry_ == Geometry::box) {
+      for (int i = 0; i < element_.dim; ++i) {
+        for (int k = 0; k < element_.dim; ++k) {
+          if (i != k) jacobian[i][k] = graph_.dag.number(NumberPool::zero);
+        }
+      }
+    }
+    add_point(law, energy, add_jacobian(jacobian), gradient, ExactNumber(cln::cl_RA(1)));
+  }
+
+  /// d X_i / d xi_k, as [i * dim + k]: at each point after the other, or once where they are the
+  /// same everywhere.
+  std::vector<NodeId> jacobians() {
+    std::vector<NodeId> entries;
+    const int num_different = geometry_ == Geometry::general ? quadrature_.num_points() : 1;
+    for (int g = 0; g < num_different; ++g) {
+      append(entries, jacobian_at(g));
+    }
+    return entries;
+  }
+
+  /// The Jacobian's determinant at each point, where no energies have asked for it.
+  void add_determinants() {
+    for (int g = 0; g < quadrature_.num_points(); ++g) {
+      graph_.determinants.push_back(determinant_of(jacobian_at(g)));
+    }
+  }
+
+  /// d U_i / d xi_k at each point, as [(g * dim + i) * dim + k].
+  std::vector<NodeId> displacement_gradients() {
+    std::vector<NodeId> entries;
+    for (int g = 0; g < quadrature_.num_points(); ++g) {
+      append(entries, gradients_.of(graph_.dag, graph_.displacement, g));
+    }
+    return entries;
+  }
+
+  /// Before anything is added: the graph takes the pool of another's.
+  void share_numbers(const Builder& other) { graph_.dag = Dag(other.graph_.dag.number_pool()); }
+
   ElementGraph take() { return std::move(graph_); }
 
  private:
+  void add_parameters(const Law& law) {
+    for (const Parameter& parameter : law.parameters) {
+      graph_.parameters.push_back(graph_.dag.symbol(parameter.name, Stage::material));
+    }
+  }
+
+  /// Takes the determinant to the graph's; returns the inverse.
+  NodeMatrix add_jacobian(const NodeMatrix& jacobian) {
+    graph_.determinants.push_back(determinant_of(jacobian));
+    return inverse_of(jacobian);
+  }
+
+  /// Energies at the point of the last determinant.
+  /// @param gradient  of the displacement, in reference coordinates
+  void add_point(const Law& law, const EnergyDensity& energy, const NodeMatrix& inverse_jacobian,
+                 const NodeMatrix& gradient, const ExactNumber& exact_weight) {
+    const NodeId determinant = graph_.determinants.back();
+    const NodeMatrix displacement_gradient = matrix_product(gradient, inverse_jacobian);
+    SymbolNodes symbols;
+    for (std::size_t p = 0; p < law.parameters.size(); ++p) {
+      symbols[law.parameters[p].symbol] = graph_.parameters[p];
+    }
+    for (int i = 0; i < element_.dim; ++i) {
+      for (int j = 0; j < element_.dim; ++j) {
+        symbols[energy.gradient[i * element_.dim + j]] = displacement_gradient[i][j];
+      }
+    }
+    for (const Definition& definition : energy.definitions) {
+      symbols[definition.symbol] = lower(graph_.dag, definition.value, symbols);
+    }
+    const NumberId weight = graph_.dag.numbers().intern(exact_weight);
+    graph_.energies.resize(energy.terms.size());
+    graph_.energy_values.resize(energy.terms.size());
+    for (std::size_t l = 0; l < energy.terms.size(); ++l) {
+      graph_.energies[l].push_back(
+          weighted(lower(graph_.dag, energy.terms[l], symbols), determinant, weight));
+      graph_.energy_values[l].push_back(
+          weighted(lower(graph_.dag, energy.values[l], symbols), determinant, weight));
+    }
+  }
+
   /// The volume, shared out in proportion to the sums.
   std::vector<NodeId> scaled_diagonal(Dag& dag, std::vector<std::vector<Operand>> sums) const {
     std::vector<NodeId> shares;
@@ -221,39 +220,8 @@ class Builder {
     return builder.determinant_of(builder.jacobian_at(g));
   }
 
-  /// [i][k] = sum_a field_ai d Lambda_a / d xi_k.
-  NodeMatrix reference_gradient(const std::vector<NodeId>& field, int g) {
-    const int dim = element_.dim;
-    Dag& dag = graph_.dag;
-    NodeMatrix result(dim, std::vector<NodeId>(dim));
-    for (int i = 0; i < dim; ++i) {
-      for (int k = 0; k < dim; ++k) {
-        std::vector<Operand> terms;
-        for (const auto& [node, other] : differences_[k]) {
-          const NumberId coefficient = dag.numbers().intern(gradients_[g][node][k]);
-          if (coefficient == NumberPool::zero) continue;
-          terms.push_back(
-              {dag.subtract(field[node * dim + i], field[other * dim + i]), coefficient});
-        }
-        result[i][k] = dag.sum(std::move(terms));
-      }
-    }
-    return result;
-  }
-
-  /// [k][p] = d Lambda / d xi_k of the node of differences_[k][p].
-  NodeMatrix difference_coefficients(int g) {
-    NodeMatrix coefficients(differences_.size());
-    for (std::size_t k = 0; k < differences_.size(); ++k) {
-      for (const Difference& difference : differences_[k]) {
-        coefficients[k].push_back(graph_.dag.number(gradients_[g][difference.node][k]));
-      }
-    }
-    return coefficients;
-  }
-
   NodeMatrix jacobian_at(int g) {
-    if (geometry_ == Geometry::general) return reference_gradient(graph_.positions, g);
+    if (geometry_ == Geometry::general) return gradients_.of(graph_.dag, graph_.positions, g);
     const int dim = element_.dim;
     NodeMatrix jacobian(dim, std::vector<NodeId>(dim, graph_.dag.number(NumberPool::zero)));
     for (int k = 0; k < dim; ++k) {
@@ -370,8 +338,7 @@ class Builder {
   const Element& element_;
   const Quadrature& quadrature_;
   Geometry geometry_;
-  std::vector<ExactMatrix> gradients_;                // [point]
-  std::vector<std::vector<Difference>> differences_;  // [reference coordinate]
+  ReferenceGradients gradients_;
   ElementGraph graph_;
 };
 
@@ -404,6 +371,29 @@ ElementGraph build_element_graph(const Law& law, const EnergyDensity& energy,
   builder.add_energies(law, energy, derivation);
   builder.add_volumes();
   return builder.take();
+}
+
+PointwiseGraph build_pointwise_graph(const Law& law, const EnergyDensity& energy,
+                                     const Element& element, const Quadrature& quadrature,
+                                     Geometry geometry) {
+  Builder point(element, quadrature, geometry);
+  point.add_point_alone(law, energy);
+  Builder whole(element, quadrature, geometry);
+  whole.share_numbers(point);
+  whole.add_fields();
+  whole.add_determinants();
+  whole.add_volumes();
+  PointwiseGraph result;
+  result.num_points = quadrature.num_points();
+  result.is_affine = geometry != Geometry::general;
+  result.jacobians = whole.jacobians();
+  result.gradients = whole.displacement_gradients();
+  result.whole = whole.take();
+  result.point = point.take();
+  for (const GiNaC::ex& weight : quadrature.weights) {
+    result.weights.push_back(result.whole.dag.numbers().intern(exact_value(weight, {})));
+  }
+  return result;
 }
 
 std::vector<NodeId> domain_of(Dag& dag, NodeId energy) {

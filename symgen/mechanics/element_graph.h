@@ -53,6 +53,27 @@ struct ElementGraph {
                                                Geometry geometry,
                                                Derivation derivation = Derivation::dag);
 
+/// The same element with what differs from law to law apart from what does not:
+///   G_g,ik = sum_a U_ai d Lambda_a / d xi_k (point g)       a linear map of nodal values
+///   W = sum_g w_g W(G_g, J_g)                               one graph for all points
+///   f_ai = sum_gk w_g F_g,ik d Lambda_a / d xi_k (point g)  the map's transpose; F = -dW/dG
+struct PointwiseGraph {
+  /// One point: positions, displacement and direction are their gradients in reference coordinates,
+  /// [i * dim + k]; energies [l][0] have no weight.
+  ElementGraph point;
+  /// Positions, displacement, direction and volumes of the element; no energies. Both graphs share
+  /// their numbers.
+  ElementGraph whole;
+  int num_points = 0;
+  bool is_affine = false;         ///< the Jacobian is the same at all points
+  std::vector<NodeId> gradients;  ///< in `whole`: G, [(g * dim + i) * dim + k]
+  std::vector<NodeId> jacobians;  ///< in `whole`: J, likewise, or [i * dim + k] if affine
+  std::vector<NumberId> weights;  ///< w_g
+};
+[[nodiscard]] PointwiseGraph build_pointwise_graph(const Law& law, const EnergyDensity& energy,
+                                                   const Element& element,
+                                                   const Quadrature& quadrature, Geometry geometry);
+
 /// Where an energy is defined: values that must be positive, one for each logarithm and each root
 /// of something that depends on the displacement. Derivatives inherit the condition, not the
 /// function (d log x = 1/x is finite at x < 0), so every operation has to check it.

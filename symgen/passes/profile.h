@@ -14,6 +14,8 @@ struct Profile {
   std::string description;
   CutPrices prices;
   long fragment_flops;  ///< `auto` takes the coarsest split whose fragments stay below
+  /// Unsplit kernels whose product has more flops are loops over quadrature points.
+  long straight_line_flops;
 };
 
 [[nodiscard]] const std::vector<Profile>& profiles();

@@ -29,6 +29,7 @@ struct Case {
   std::vector<std::string> associations;  ///< of the OpenCL kernels
   std::vector<std::string> reference;     ///< of the C++ kernels, compiled for the tests
   bool box = false;                       ///< straight, so that hexahedra are boxes
+  std::string profile = "gpu";            ///< of the OpenCL kernels
 };
 
 std::vector<std::string> on_every_element(const std::string& law, const std::string& split) {
@@ -52,6 +53,11 @@ std::vector<Case> cases() {
   // Hexa20 passes, too, but takes PoCL 15 s to compile.
   const std::vector<std::string> quadratic = {"neo_hookean-tet10-q4-none"};
   result.push_back({"quadratic", quadratic, quadratic});
+  // Loops over points, with constants and with what is recomputed from positions.
+  result.push_back({"loops", mixed, mixed, false, "x86-cache"});
+  result.push_back({"loops_box", mixed, mixed, true, "x86-cache"});
+  result.push_back({"loops_from_positions", mixed, mixed, false, "x86-dram"});
+  result.push_back({"loops_from_positions_box", mixed, mixed, true, "x86-dram"});
   return result;
 }
 
@@ -101,13 +107,13 @@ class DeviceBlock {
   };
 
   DeviceBlock(const opencl::Device& device, const std::string& association,
-              const std::string& geometry, const ElementBlock& block,
+              const std::string& geometry, const std::string& profile, const ElementBlock& block,
               const std::vector<std::int32_t>& slots, const Nodal& nodal)
       : device_(device), nodal_(nodal), num_elements_(block.num_elements()) {
     const AssociationId id = AssociationId::parse(association);
     const symgen::Law law = law_named(id.law);
     symgen::GenerateOptions options;
-    options.profile = "gpu";
+    options.profile = profile;
     const auto generated = symgen::generate_association(id, law, options);
     for (const symgen::VariantReport& variant : generated.variants) {
       if (variant.geometry != geometry) continue;
@@ -200,8 +206,8 @@ class DeviceModel {
         std::vector<Real>(static_cast<std::size_t>(slots_.max_slots) * 3 * nodal_.stride, nan));
     for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
       const bool box = each.box && mesh.blocks[b].element == "hexa8";
-      blocks_.emplace_back(device, each.associations[b], box ? "box" : "general", mesh.blocks[b],
-                           slots_.of_elements[b], nodal_);
+      blocks_.emplace_back(device, each.associations[b], box ? "box" : "general", each.profile,
+                           mesh.blocks[b], slots_.of_elements[b], nodal_);
     }
     const std::string folder = ELASTOGEN_SOURCE_DIR;
     sum_ = build_program(device, selector::read_text_file(folder + "/opencl/node_sum.cl", "OpenCL"),

@@ -50,13 +50,50 @@ TEST(Generation, FragmentsThatDifferInNumbersOnlyAreEmittedOnce) {
 
 TEST(Generation, AutoSplitsWhatIsTooLarge) {
   const Law law = law_named("stvk");
-  const auto small =
-      symgen::generate_association(AssociationId::parse("stvk-hexa8-q8-auto"), law, {});
-  EXPECT_EQ(small.chosen_split, "none");
-  const auto large =
-      symgen::generate_association(AssociationId::parse("stvk-hexa8-q27-auto"), law, {});
+  const AssociationId id = AssociationId::parse("stvk-hexa8-q27-auto");
+  symgen::GenerateOptions options;
+  options.profile = "gpu";
+  const auto large = symgen::generate_association(id, law, options);
   EXPECT_NE(large.chosen_split, "none");
   EXPECT_NE(large.split_reason.find("flops"), std::string::npos);
+  // A loop is never too large.
+  EXPECT_EQ(symgen::generate_association(id, law, {}).chosen_split, "none");
+}
+
+bool is_loop(const symgen::GeneratedAssociation& generated) {
+  return generated.header.find("forces_at_point") != std::string::npos;
+}
+
+TEST(Generation, LongKernelsAreLoopsOverPoints) {
+  const Law law = law_named("stvk");
+  symgen::GenerateOptions straight;
+  straight.profile = "gpu";
+  for (const char* text : {"stvk-hexa8-q8-none", "stvk-pyramid5-q5-none", "stvk-tet10-q4-none"}) {
+    const AssociationId id = AssociationId::parse(text);
+    const auto loop = symgen::generate_association(id, law, {});
+    const auto line = symgen::generate_association(id, law, straight);
+    EXPECT_TRUE(is_loop(loop)) << text;
+    EXPECT_FALSE(is_loop(line)) << text;
+    EXPECT_LT(loop.header.size(), line.header.size() / 2) << text;
+  }
+  for (const char* text : {"stvk-tet4-q1-none", "stvk-quad4-q4-none", "stvk-hexa8-q8-g"}) {
+    EXPECT_FALSE(is_loop(symgen::generate_association(AssociationId::parse(text), law, {})))
+        << text;
+  }
+}
+
+/// Sum factorisation is found, and the integration costs what the interpolation does: 27 points of
+/// a quadratic hexahedron take less than two thirds of what one expression takes.
+TEST(Generation, LoopsOfManyPointsSaveOperations) {
+  const AssociationId id = AssociationId::parse("stvk-hexa20-q27-none");
+  const auto generated = symgen::generate_association(id, law_named("stvk"), {});
+  for (const symgen::OperationReport& operation : generated.variants[0].operations) {
+    if (operation.name == "product") {
+      EXPECT_LT(operation.flops, 19000);
+    } else if (operation.name == "forces") {
+      EXPECT_LT(operation.flops, 11500);
+    }
+  }
 }
 
 /// Points of a tetrahedron with constant gradients are all the same: nothing varies, no table.
