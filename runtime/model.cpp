@@ -62,6 +62,34 @@ std::string_view precision_name(Precision precision) {
   return names[static_cast<std::size_t>(precision)];
 }
 
+// df -= scale * K v by blocks of two nodes: the columns of a node have the same rows, which are read
+// once. K is symmetric, so a row is a column, and every value is written by one thread.
+template <int dim>
+void subtract_product(const Eigen::SparseMatrix<double>& stiffness, const double* v, double scale,
+                      double* df, int threads) {
+  const int* const outer = stiffness.outerIndexPtr();
+  const Eigen::Index num_nodes = stiffness.rows() / dim;
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (Eigen::Index node = 0; node < num_nodes; ++node) {
+    const int begin = outer[dim * node];
+    const int length = outer[dim * node + 1] - begin;
+    const int* const rows = stiffness.innerIndexPtr() + begin;
+    const double* const values = stiffness.valuePtr() + begin;
+    double sums[dim][dim] = {};  // apart, as each addition waits for the one before it
+    for (int k = 0; k < length; k += dim) {
+      const double* const x = v + rows[k];
+      for (int j = 0; j < dim; ++j) {
+        for (int i = 0; i < dim; ++i) sums[j][i] += values[j * length + k + i] * x[i];
+      }
+    }
+    for (int j = 0; j < dim; ++j) {
+      double sum = 0;
+      for (const double part : sums[j]) sum += part;
+      df[dim * node + j] -= scale * sum;
+    }
+  }
+}
+
 struct Model::Data {
   int dim = 3;
   std::size_t num_nodes = 0;
@@ -113,17 +141,11 @@ struct Model::Data {
         [&](auto& elements) { return elements.assemble(displacement.data(), form, matrix); });
   }
 
-  // df -= scale * K v. K is symmetric, so a row is a column: every value is written by one thread.
   void add_assembled_product(const double* v, double scale, double* df) const {
-    const int* outer = stiffness.outerIndexPtr();
-    const int* inner = stiffness.innerIndexPtr();
-    const double* values = stiffness.valuePtr();
-    const Eigen::Index rows = stiffness.rows();
-#pragma omp parallel for schedule(static) num_threads(threads)
-    for (Eigen::Index row = 0; row < rows; ++row) {
-      double sum = 0;
-      for (int k = outer[row]; k < outer[row + 1]; ++k) sum += values[k] * v[inner[k]];
-      df[row] -= scale * sum;
+    if (dim == 3) {
+      subtract_product<3>(stiffness, v, scale, df, threads);
+    } else {
+      subtract_product<2>(stiffness, v, scale, df, threads);
     }
   }
 };
