@@ -8,35 +8,29 @@
 
 #include "runtime/error.h"
 #include "selector/bench/speed/measure_speed.h"
+#include "selector/bench/speed/speed_compare.h"
 #include "selector/bench/speed/speed_files.h"
 #include "selector/bench/speed/speed_report.h"
+#include "selector/bench/speed/speed_table.h"
 #include "selector/commands/associations.h"
 #include "selector/scene/interrupt.h"
 #include "selector/support/files.h"
+#include "selector/support/names.h"
 
 namespace elastogen::selector {
 namespace {
 
-using Measure = void (*)(const SpeedOptions&, const MachineLimits&,
-                         const std::function<void(const SpeedRecord&)>&);
+using Measure = std::function<void(const SpeedOptions&, const MachineLimits&,
+                                   const std::function<void(const SpeedRecord&)>&)>;
 
-/// What the command line says of `kernels` and `operators`.
+/// What the command line says of a benchmark.
 struct SpeedCommand {
   const char* benchmark = "";
-  Measure measure = nullptr;
-  std::vector<std::string> patterns;
+  Measure measure;
+  std::vector<std::string> patterns;  ///< what is measured when the user names none
   SpeedOptions options;
   std::filesystem::path out;
 };
-
-/// Without patterns: two laws on the elements that the published figures are of.
-const std::vector<std::string>& usual_patterns() {
-  static const std::vector<std::string> patterns = {
-      "hooke-tet4-q1-none", "stvk-tet4-q1-none",        "hooke-hexa8-q8-none",
-      "stvk-hexa8-q8-none", "stvk-prism6-q6-none",      "stvk-pyramid5-q5-none",
-      "stvk-tet10-q4-none", "neo_hookean-tet4-q1-none", "neo_hookean-hexa8-q8-none"};
-  return patterns;
-}
 
 int usable_threads(const Context& context) {
   return context.threads > 0 ? context.threads : omp_get_num_procs();
@@ -63,7 +57,7 @@ int run_speed(SpeedCommand command, const Context& context) {
   options.tell = [&](const std::string& line) { context.tell(line); };
   options.interrupted = [&] { return interrupt.interrupted(); };
   AssociationFilter filter;
-  filter.patterns = command.patterns.empty() ? usual_patterns() : command.patterns;
+  filter.patterns = command.patterns;
   options.associations = find_associations(filter, options.law_folders);
   // A mistake in a law shall show before anything is measured.
   for (const symgen::AssociationId& id : options.associations) (void)read_law_of(id, context);
@@ -92,10 +86,8 @@ int run_speed(SpeedCommand command, const Context& context) {
 }
 
 void add_common_options(CLI::App& sub, SpeedCommand& command) {
-  sub.add_option("PATTERN", command.patterns,
-                 "Globs of whole ids; default: the associations that published figures are of");
-  sub.add_option("--precision", command.options.precisions, "Of the kernels: double, single")
-      ->check(CLI::IsMember({"double", "single"}));
+  sub.add_option("PATTERN", command.patterns, "Globs of whole ids")
+      ->default_str(fmt::format("{}", fmt::join(command.patterns, " ")));
   sub.add_option("--seconds", command.options.seconds, "For each figure")
       ->check(CLI::Range(0.01, 60.0))
       ->capture_default_str();
@@ -104,18 +96,42 @@ void add_common_options(CLI::App& sub, SpeedCommand& command) {
       ->capture_default_str();
 }
 
-std::shared_ptr<SpeedCommand> new_command(const char* benchmark, Measure measure,
-                                          const std::vector<std::string>& precisions) {
+void add_precision(CLI::App& sub, SpeedOptions& options) {
+  sub.add_option("--precision", options.precisions, "Of the kernels: double, single")
+      ->check(CLI::IsMember({"double", "single"}))
+      ->default_str(fmt::format("{}", fmt::join(options.precisions, " ")));
+}
+
+void add_mesh(CLI::App& sub, SpeedOptions& options) {
+  sub.add_option("--mesh", options.meshes,
+                 "distorted: every element of a shape of its own; box-shaped: cut from cubes")
+      ->check(CLI::IsMember({"distorted", "box-shaped"}))
+      ->default_str(fmt::format("{}", fmt::join(options.meshes, " ")));
+}
+
+void add_product(CLI::App& sub, SpeedOptions& options) {
+  sub.add_option("--product", options.strategies, "How tangent products are computed")
+      ->check(CLI::IsMember({"recompute", "two-stage", "assembled"}))
+      ->default_str(fmt::format("{}", fmt::join(options.strategies, " ")));
+}
+
+/// Of the associations that published figures are of, unless the user names others.
+std::shared_ptr<SpeedCommand> new_command(const char* benchmark, Measure measure) {
   const auto command = std::make_shared<SpeedCommand>();
   command->benchmark = benchmark;
-  command->measure = measure;
-  command->options.precisions = precisions;
+  command->measure = std::move(measure);
+  command->patterns = {
+      "hooke-tet4-q1-none", "stvk-tet4-q1-none",        "hooke-hexa8-q8-none",
+      "stvk-hexa8-q8-none", "stvk-prism6-q6-none",      "stvk-pyramid5-q5-none",
+      "stvk-tet10-q4-none", "neo_hookean-tet4-q1-none", "neo_hookean-hexa8-q8-none"};
+  command->options.precisions = {"double"};
   command->out = std::filesystem::path("out") / benchmark;
   return command;
 }
 
 void add_kernels(CLI::App& bench, Context& context) {
-  const auto command = new_command("kernels", measure_kernels, {"double", "single"});
+  const auto command = new_command("kernels", measure_kernels);
+  command->options.precisions = {"double", "single"};
   CLI::App* sub = bench.add_subcommand(
       "kernels", "Time per element of compiled kernels, operands in cache, against the peak");
   sub->footer(
@@ -125,6 +141,7 @@ void add_kernels(CLI::App& bench, Context& context) {
       "  elastogen bench kernels\n"
       "  elastogen bench kernels 'my_law-*-none' --laws . --precision single --out speed");
   add_common_options(*sub, *command);
+  add_precision(*sub, command->options);
   sub->callback([command, &context] {
     context.action = [command, &context] {
       command->options.threads = {1};
@@ -134,7 +151,7 @@ void add_kernels(CLI::App& bench, Context& context) {
 }
 
 void add_operators(CLI::App& bench, Context& context) {
-  const auto command = new_command("operators", measure_operators, {"double"});
+  const auto command = new_command("operators", measure_operators);
   SpeedOptions& options = command->options;
   options.meshes = {"distorted", "box-shaped"};
   options.strategies = {"recompute", "two-stage", "assembled"};
@@ -155,15 +172,121 @@ void add_operators(CLI::App& bench, Context& context) {
   sub->add_option("--elements", options.elements,
                   "Sizes of the beams; default: 10^4 to 10^6 tetrahedra, 2 10^4 to 2 10^5 others")
       ->check(CLI::Range(std::size_t(1), std::size_t(200000000)));
-  sub->add_option("--mesh", options.meshes,
-                  "distorted: every element of a shape of its own; box-shaped: cut from cubes")
-      ->check(CLI::IsMember({"distorted", "box-shaped"}))
-      ->default_str("distorted box-shaped");
-  sub->add_option("--product", options.strategies, "How tangent products are computed")
-      ->check(CLI::IsMember({"recompute", "two-stage", "assembled"}))
-      ->default_str("recompute two-stage assembled");
+  add_precision(*sub, options);
+  add_mesh(*sub, options);
+  add_product(*sub, options);
   sub->callback([command, &context] {
     context.action = [command, &context] { return run_speed(*command, context); };
+  });
+}
+
+void add_scaling(CLI::App& bench, Context& context) {
+  const auto command = new_command("scaling", measure_scaling);
+  command->patterns = {"stvk-tet4-q1-none", "stvk-hexa8-q8-none"};
+  SpeedOptions& options = command->options;
+  options.meshes = {"distorted"};
+  options.orders = {"natural", "random", "reordered"};
+  options.strategies = {"recompute"};
+  CLI::App* sub = bench.add_subcommand(
+      "scaling", "Time per element by number of elements, their order in memory, and threads");
+  sub->footer(
+      "natural: as a bar is cut; random: nodes and elements numbered without thought; reordered:\n"
+      "these along a space-filling curve (runtime/mesh_order.h). One thread and all (--threads "
+      "before\n"
+      "the command). Sizes that would not fit into memory are left out.\n"
+      "Example:\n"
+      "  elastogen bench scaling stvk-tet4-q1-none --elements 100000 1000000 --order natural");
+  add_common_options(*sub, *command);
+  sub->add_option("--elements", options.elements,
+                  "Sizes of the beams; default: 10^3 to 10^7 tetrahedra, to 10^6 others")
+      ->check(CLI::Range(std::size_t(1), std::size_t(200000000)));
+  sub->add_option("--order", options.orders, "Of nodes and elements")
+      ->check(CLI::IsMember({"natural", "random", "reordered"}))
+      ->default_str("natural random reordered");
+  add_mesh(*sub, options);
+  add_product(*sub, options);
+  sub->callback([command, &context] {
+    context.action = [command, &context] { return run_speed(*command, context); };
+  });
+}
+
+struct PeersCommand {
+  PeerOptions peers;
+  std::vector<std::string> names;              ///< globs
+  std::vector<std::filesystem::path> folders;  ///< of the user
+};
+
+/// Peers that the user's names mean, in the user's folders and in the shipped one.
+std::vector<Peer> chosen_peers(const PeersCommand& command) {
+  std::vector<std::filesystem::path> folders = command.folders;
+  const std::filesystem::path shipped = shared_folder() / "bench" / "peers";
+  if (std::filesystem::is_directory(shipped)) folders.push_back(shipped);
+  const std::vector<Peer> all = find_peers(folders);
+  std::vector<Peer> chosen;
+  std::vector<std::string> known;
+  for (const Peer& peer : all) {
+    known.push_back(peer.name);
+    const bool is_named =
+        std::any_of(command.names.begin(), command.names.end(),
+                    [&](const std::string& name) { return matches_glob(name, peer.name); });
+    if (is_named) chosen.push_back(peer);
+  }
+  if (chosen.empty()) {
+    throw InputError(fmt::format("no peer is named '{}'; there are {}",
+                                 fmt::join(command.names, "', '"),
+                                 known.empty() ? "none" : join(known, ", ")));
+  }
+  return chosen;
+}
+
+void add_peers(CLI::App& bench, Context& context) {
+  const auto also = std::make_shared<PeersCommand>();
+  const auto command = new_command(
+      "peers", [also](const SpeedOptions& options, const MachineLimits& limits, const auto& add) {
+        measure_peers(options, also->peers, limits, add);
+      });
+  also->names = {"*"};
+  SpeedOptions& options = command->options;
+  options.meshes = {"distorted"};
+  options.strategies = {"recompute", "assembled"};
+  CLI::App* sub = bench.add_subcommand(
+      "peers", "Operators beside those of other programs: same mesh, law, machine and minute");
+  sub->footer(
+      "Each peer is a folder with a program `run` (bench/peers/README.md says what it is given "
+      "and\n"
+      "what it says), which builds what it needs the first time. Its forces and products must be\n"
+      "elastogen's to 1e-9, or it is left out. In every round elastogen is measured and then each "
+      "peer;\n"
+      "the ratio is its least time to elastogen's of that round: median, least and greatest. A "
+      "missing\n"
+      "package is said in a line. Whole static solves beside CalculiX: `bench work-precision`.\n"
+      "Examples:\n"
+      "  elastogen bench peers\n"
+      "  elastogen bench peers stvk-tet4-q1-none --peer ffcx --rounds 5\n"
+      "  elastogen bench peers 'stvk-*-none' --peers my_peers --elements 10000");
+  add_common_options(*sub, *command);
+  sub->add_option("--peer", also->names, "Globs of peers")->default_str("*");
+  sub->add_option("--peers", also->folders, "Folders of more peers")
+      ->type_name("DIR")
+      ->check(CLI::ExistingDirectory);
+  sub->add_option("--rounds", also->peers.rounds, "Of elastogen and every peer")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  sub->add_option("--elements", options.elements,
+                  "Size of the beam; default: 100000, of quadratic elements 20000")
+      ->expected(1)
+      ->check(CLI::Range(std::size_t(1), std::size_t(200000000)));
+  add_mesh(*sub, options);
+  add_product(*sub, options);
+  sub->callback([command, also, &context] {
+    context.action = [command, also, &context] {
+      also->peers.peers = chosen_peers(*also);
+      also->peers.with_matrix = std::any_of(also->peers.peers.begin(), also->peers.peers.end(),
+                                            [](const Peer& peer) { return peer.name == "sparse"; });
+      also->peers.work = command->out;
+      command->options.threads = {1};
+      return run_speed(*command, context);
+    };
   });
 }
 
@@ -225,6 +348,8 @@ void add_speed_benchmarks(CLI::App& bench, Context& context) {
   });
   add_kernels(bench, context);
   add_operators(bench, context);
+  add_scaling(bench, context);
+  add_peers(bench, context);
   add_compare(bench, context);
   add_report(bench, context);
 }

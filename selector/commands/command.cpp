@@ -27,6 +27,12 @@ void add_named_folder(std::vector<fs::path>& folders, const fs::path& folder,
 
 }  // namespace
 
+fs::path shared_folder() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  return program.parent_path().parent_path() / "share" / "elastogen";
+}
+
 std::vector<fs::path> Context::law_folders() const {
   std::vector<fs::path> folders;
   for (const fs::path& folder : user_law_folders) add_named_folder(folders, folder, "--laws");
@@ -36,10 +42,9 @@ std::vector<fs::path> Context::law_folders() const {
       if (!folder.empty()) add_named_folder(folders, folder, "ELASTOGEN_LAWS folder");
     }
   }
+  const fs::path shipped = shared_folder() / "laws";
   std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path shipped = program.parent_path().parent_path() / "share" / "elastogen" / "laws";
-  if (!error && fs::is_directory(shipped, error)) folders.push_back(shipped);
+  if (fs::is_directory(shipped, error)) folders.push_back(shipped);
   return folders;
 }
 

@@ -42,6 +42,9 @@ struct Context {
   void tell(const std::string& line) const;
 };
 
+/// share/elastogen beside the program's folder: what comes with it.
+[[nodiscard]] std::filesystem::path shared_folder();
+
 /// Reads the law of an association from the law folders.
 /// @throws InputError  unknown law (with the nearest known), the file's errors, or a quadrature
 ///                     that the law cannot have

@@ -65,8 +65,8 @@ TEST_F(WorkPrecision, MeasuresShowsAndGoesOn) {
 TEST_F(WorkPrecision, ExplainsWrongCalls) {
   const ProcessResult nothing_named = run_process({"env", cache_setting(), program(), "bench"});
   EXPECT_EQ(nothing_named.exit_status, 2);
-  EXPECT_NE(nothing_named.output.find(
-                "say what to do: limits, kernels, operators, compare, report, work-precision"),
+  EXPECT_NE(nothing_named.output.find("say what to do: limits, kernels, operators, scaling, peers, "
+                                      "compare, report, work-precision"),
             std::string::npos)
       << nothing_named.output;
   const ProcessResult unknown = bench({"--problem", "bendin"});

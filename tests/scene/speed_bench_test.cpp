@@ -1,5 +1,5 @@
-// `bench limits`, `kernels`, `operators`, `compare` and `report` by the built program. Their times
-// decide nothing.
+// `bench limits`, `kernels`, `operators`, `scaling`, `peers`, `compare` and `report` by the built
+// program. Their times decide nothing.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -90,6 +90,78 @@ TEST_F(SpeedBench, CompareTellsWhatChanged) {
   const std::string page = (out() / "both.html").string();
   EXPECT_EQ(call({"report", file, slower, "--out", page}).exit_status, 0);
   EXPECT_NE(read_text_file(page, "page").find("stvk-tri3-q1-none"), std::string::npos);
+}
+
+TEST_F(SpeedBench, ScalingTellsOrdersAndSizesApart) {
+  const nlohmann::json results =
+      measured({"scaling", "stvk-tet4-q1-none", "--elements", "1000", "10000"});
+  std::set<std::string> kinds;
+  for (const nlohmann::json& record : results["records"]) {
+    EXPECT_GT(record["minimum_ns"], 0);
+    const bool is_small = record["elements"].get<int>() < 3000;
+    kinds.insert(record["order"].get<std::string>() + (is_small ? " small " : " large ") +
+                 record["operation"].get<std::string>());
+  }
+  for (const std::string order : {"natural", "random", "reordered"}) {
+    for (const char* what : {" small forces", " large product"}) {
+      EXPECT_TRUE(kinds.contains(order + what)) << order << what;
+    }
+  }
+  EXPECT_NE(read_text_file(out() / "speed.html", "page").find("ns per element"), std::string::npos);
+}
+
+/// A peer of one's own: a script.
+void write_peer(const std::filesystem::path& folder, const std::string& script) {
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path run = folder / "run";
+  write_text_file(run, "#!/bin/sh\n" + script);
+  std::filesystem::permissions(run, std::filesystem::perms::owner_all);
+}
+
+TEST_F(SpeedBench, PeersAreComparedByTheirResults) {
+  const std::filesystem::path own = out() / "own";
+  write_peer(own / "refusing", "echo 'refusing: no tetrahedra' >&2; exit 3\n");
+  write_peer(own / "wrong",
+             "tr '\\0-\\377' '\\1' < \"$2/displacement.f64\" > \"$2/wrong.plain.product.f64\"\n"
+             "echo 'plain product 1e-9 2e-9'\n");
+  std::vector<std::string> command = {
+      "peers", "stvk-tet4-q1-none", "--elements", "1000",  "--peers",     own.string(), "--rounds",
+      "2",     "--seconds",         "0.01",       "--out", out().string()};
+  const ProcessResult result = run_process([&] {
+    std::vector<std::string> whole = {"env", cache_setting(), program(), "bench"};
+    whole.insert(whole.end(), command.begin(), command.end());
+    whole.insert(whole.end(), {"--peer", "sparse", "refusing", "wrong"});
+    return whole;
+  }());
+  ASSERT_EQ(result.exit_status, 0) << result.output;
+  EXPECT_NE(result.output.find("refusing: no tetrahedra"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("wrong plain is left out: its product"), std::string::npos)
+      << result.output;
+  std::set<std::string> programs;
+  const nlohmann::json results =
+      nlohmann::json::parse(read_text_file(out() / "speed.json", "results"));
+  for (const nlohmann::json& record : results["records"]) {
+    const std::string peer = record["peer"];
+    programs.insert(peer + " " + record["operation"].get<std::string>());
+    EXPECT_EQ(record["ratio"] > 0, record["operation"] != "rebuild");
+    EXPECT_LE(record["ratio_least"], record["ratio"]);
+    EXPECT_GE(record["ratio_most"], record["ratio"]);
+    if (!peer.empty()) {
+      EXPECT_LT(record["difference"], 1e-9);
+      EXPECT_GT(record["difference"], 0);
+    }
+  }
+  for (const char* kind :
+       {" forces", " product", "sparse eigen product", "sparse blocks product"}) {
+    EXPECT_TRUE(programs.contains(kind)) << kind;
+  }
+  EXPECT_FALSE(programs.contains("wrong plain product"));
+
+  const ProcessResult unknown = call({"peers", "--peer", "nobody"});
+  EXPECT_EQ(unknown.exit_status, 2);
+  EXPECT_NE(unknown.output.find("no peer is named 'nobody'; there are dealii, ffcx"),
+            std::string::npos)
+      << unknown.output;
 }
 
 TEST_F(SpeedBench, LimitsArePositive) {

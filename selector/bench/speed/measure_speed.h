@@ -1,4 +1,4 @@
-// Kernels by themselves, and the runtime's passes over meshes.
+// Kernels by themselves, the runtime's passes over meshes, and those of other programs.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "selector/bench/speed/peer.h"
 #include "selector/bench/speed/speed_record.h"
 #include "selector/jit/kernel_loader.h"
 #include "symgen/pipeline.h"
 
 namespace elastogen::selector {
 
-/// What both benchmarks measure.
+/// What is measured.
 struct SpeedOptions {
   std::vector<symgen::AssociationId> associations;
   std::vector<std::filesystem::path> law_folders;
@@ -21,6 +22,7 @@ struct SpeedOptions {
   std::vector<std::string> precisions;  ///< "double", "single"
   std::vector<std::string> meshes;      ///< "distorted", "box-shaped"
   std::vector<std::size_t> elements;    ///< sizes of meshes; empty: three for each element
+  std::vector<std::string> orders;      ///< "natural", "random", "reordered"; of scaling
   std::vector<std::string> strategies;  ///< "recompute", "two-stage", "assembled"
   std::vector<int> threads;
   double seconds = 0.2;  ///< for each figure
@@ -40,5 +42,24 @@ void measure_kernels(const SpeedOptions& options, const MachineLimits& limits,
 /// growing size: gather, kernel and addition.
 void measure_operators(const SpeedOptions& options, const MachineLimits& limits,
                        const std::function<void(const SpeedRecord&)>& add);
+
+/// Forces and products by number of elements, their order and threads. Sizes that would not fit
+/// into the memory that is free are left out.
+void measure_scaling(const SpeedOptions& options, const MachineLimits& limits,
+                     const std::function<void(const SpeedRecord&)>& add);
+
+/// Whom `measure_peers` compares with.
+struct PeerOptions {
+  std::vector<Peer> peers;
+  bool with_matrix = false;    ///< give them the assembled tangent
+  std::filesystem::path work;  ///< folder for what they build and for problems
+  int rounds = 3;
+};
+
+/// Forces and products in one thread beside those of other programs on the same mesh. A peer whose
+/// result differs from ours is said so and left out.
+/// @throws WorkError  a peer failed
+void measure_peers(const SpeedOptions& options, const PeerOptions& peers,
+                   const MachineLimits& limits, const std::function<void(const SpeedRecord&)>& add);
 
 }  // namespace elastogen::selector

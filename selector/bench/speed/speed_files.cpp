@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* format_name = "elastogen speed 1";
+constexpr const char* format_name = "elastogen speed 2";
 
 /// Statements that make the tables where there are none.
 std::string schema() {
@@ -26,7 +26,7 @@ std::string schema() {
     const char* type = std::is_same_v<Member, std::string> ? "TEXT"
                        : std::is_integral_v<Member>        ? "INTEGER"
                                                            : "REAL";
-    columns += fmt::format(",\n  {} {} NOT NULL", name, type);
+    columns += fmt::format(",\n  \"{}\" {} NOT NULL", name, type);
   });
   return fmt::format(
       "CREATE TABLE IF NOT EXISTS runs (\n"
@@ -46,8 +46,8 @@ std::string insert_record() {
 }  // namespace
 
 std::string SpeedRecord::key() const {
-  return fmt::format("{} {} {} {} {} {} {} {} {}", benchmark, association, geometry, precision,
-                     operation, strategy, mesh, elements, threads);
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {}", benchmark, peer, association, geometry,
+                     precision, operation, strategy, mesh, order, elements, threads);
 }
 
 struct SpeedDatabase::Connection {
@@ -60,6 +60,8 @@ SpeedDatabase::SpeedDatabase(const std::filesystem::path& file, const BenchRun& 
   connection_.reset(new Connection{SqliteConnection(file)});
   SqliteConnection& sqlite = connection_->sqlite;
   sqlite.execute(schema().c_str());
+  // A table of another version shall show before anything is measured.
+  const SqliteStatement insert(sqlite, insert_record().c_str());
   connection_->run = insert_run(sqlite, run);
 }
 
