@@ -116,7 +116,6 @@ ElementStatus ElementSystem<Scalar>::add_nodal(const ElementPass<Scalar>& pass, 
       nodal.kernel = group.kernels->*pass.kernel;
       nodal.begin = range.begin;
       nodal.end = range.end;
-      nodal.end_dof = static_cast<std::int32_t>(num_nodes_) * dim_;
       nodal.displacement = pass.displacement;
       nodal.direction = pass.direction;
       nodal.scale = scale;

@@ -82,7 +82,6 @@ struct NodalPass {
   const std::int32_t* dofs = nullptr;    ///< [(batch * n + a) * L + l], d * node
   std::size_t begin = 0, end = 0;        ///< batches to compute
   std::size_t num_elements = 0;          ///< of the group: lanes beyond them are not added
-  std::int32_t end_dof = 0;              ///< length of the global vectors
   const double* displacement = nullptr;  ///< null: not read
   const double* direction = nullptr;     ///< likewise
   double scale = 1;

@@ -62,31 +62,43 @@ std::string_view precision_name(Precision precision) {
   return names[static_cast<std::size_t>(precision)];
 }
 
-// df -= scale * K v by blocks of two nodes: the columns of a node have the same rows, which are read
-// once. K is symmetric, so a row is a column, and every value is written by one thread.
+// In four sums, as each addition waits for the one before it.
+double inner_product(const double* a, const double* b, int count) {
+  double sums[4] = {};
+  int k = 0;
+  for (; k + 4 <= count; k += 4) {
+    for (int i = 0; i < 4; ++i) sums[i] += a[k + i] * b[k + i];
+  }
+  for (; k < count; ++k) sums[0] += a[k] * b[k];
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+// df -= scale * K v. The columns of a node have the same rows: values of v are gathered once for
+// all of them, and what is left are products of contiguous numbers. K is symmetric, so a row is a
+// column, and every value is written by one thread.
 template <int dim>
 void subtract_product(const Eigen::SparseMatrix<double>& stiffness, const double* v, double scale,
                       double* df, int threads) {
+  constexpr int chunk = 32 * dim;  // rows that are gathered together
   const int* const outer = stiffness.outerIndexPtr();
   const Eigen::Index num_nodes = stiffness.rows() / dim;
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (Eigen::Index node = 0; node < num_nodes; ++node) {
-    const int begin = outer[dim * node];
-    const int length = outer[dim * node + 1] - begin;
-    const int* const rows = stiffness.innerIndexPtr() + begin;
-    const double* const values = stiffness.valuePtr() + begin;
-    double sums[dim][dim] = {};  // apart, as each addition waits for the one before it
-    for (int k = 0; k < length; k += dim) {
-      const double* const x = v + rows[k];
+    const int length = outer[dim * node + 1] - outer[dim * node];
+    const int* const rows = stiffness.innerIndexPtr() + outer[dim * node];
+    const double* const columns = stiffness.valuePtr() + outer[dim * node];
+    std::array<double, dim> sums{};
+    for (int begin = 0; begin < length; begin += chunk) {
+      const int count = std::min(chunk, length - begin);
+      double gathered[chunk];
+      for (int k = 0; k < count; k += dim) {
+        for (int i = 0; i < dim; ++i) gathered[k + i] = v[rows[begin + k] + i];
+      }
       for (int j = 0; j < dim; ++j) {
-        for (int i = 0; i < dim; ++i) sums[j][i] += values[j * length + k + i] * x[i];
+        sums[j] += inner_product(columns + j * length + begin, gathered, count);
       }
     }
-    for (int j = 0; j < dim; ++j) {
-      double sum = 0;
-      for (const double part : sums[j]) sum += part;
-      df[dim * node + j] -= scale * sum;
-    }
+    for (int j = 0; j < dim; ++j) df[dim * node + j] -= scale * sums[j];
   }
 }
 

@@ -6,13 +6,17 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#include <utility>
+#ifdef __AVX__
+#include <immintrin.h>
+#endif
 
 #include "runtime/kernel_abi.h"
 #include "runtime/kernel_functions.h"
 
 namespace elastogen::kernel {
 
-/// Four doubles: a node and what is behind it.
+/// Four doubles: a node, and nothing behind it.
 using Quad = Pack<double, 4>;
 /// x, y, z of several nodes, one per lane.
 template <int lanes>
@@ -20,54 +24,43 @@ struct Triple {
   Pack<double, lanes> x, y, z;
 };
 
-/// Loads nodes of 3 doubles, each with the double behind it.
+/// The three doubles of a node and a zero; reads no more than these.
+inline Quad load_quad(const double* node) {
+#ifdef __AVX__
+  return _mm256_maskload_pd(node, _mm256_set_epi64x(0, -1, -1, -1));
+#else
+  return Quad{node[0], node[1], node[2], 0};
+#endif
+}
+
+/// Loads nodes of 3 doubles.
 /// @param dofs  of the nodes
 template <int lanes>
 Triple<lanes> load_nodes(const std::int32_t* dofs, const double* u);
-/// sum[dof + i] += scale * value of each lane, one lane after the other: lanes may share nodes.
-template <int lanes>
-void add_to_nodes(const std::int32_t* dofs, const Triple<lanes>& value, double scale, double* sum);
 
-inline Quad load_quad(const double* node) {
-  Quad value;
-  std::memcpy(&value, node, sizeof value);
-  return value;
+/// x and y of the even lanes in turn, and of the odd ones.
+template <class V>
+struct Interleaved {
+  V even, odd;
+};
+inline Interleaved<Quad> interleaved(const Quad& x, const Quad& y) {
+  return {__builtin_shufflevector(x, y, 0, 4, 2, 6), __builtin_shufflevector(x, y, 1, 5, 3, 7)};
 }
-/// Adds the first three. Not all four at once: the next node's load would wait until the store of
-/// what is behind this one has reached the cache.
-inline void add_quad(const Quad& value, double scale, double* node) {
-  Pack<double, 2> xy;
-  std::memcpy(&xy, node, sizeof xy);
-  xy += scale * __builtin_shufflevector(value, value, 0, 1);
-  std::memcpy(node, &xy, sizeof xy);
-  node[2] += scale * value[2];
+inline Interleaved<Pack<double, 8>> interleaved(const Pack<double, 8>& x,
+                                                const Pack<double, 8>& y) {
+  return {__builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14),
+          __builtin_shufflevector(x, y, 1, 9, 3, 11, 5, 13, 7, 15)};
 }
 
 template <>
 inline Triple<4> load_nodes<4>(const std::int32_t* dofs, const double* u) {
   const Quad a = load_quad(u + dofs[0]), b = load_quad(u + dofs[1]);
   const Quad c = load_quad(u + dofs[2]), d = load_quad(u + dofs[3]);
-  const Quad ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);  // x x z z
-  const Quad cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-  const Quad ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);  // y y, what is behind
-  const Quad cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  return {__builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5),
-          __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5),
-          __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7)};
-}
-
-template <>
-inline void add_to_nodes<4>(const std::int32_t* dofs, const Triple<4>& value, double scale,
-                            double* sum) {
-  const Quad none{};
-  const Quad xy_even = __builtin_shufflevector(value.x, value.y, 0, 4, 2, 6);
-  const Quad xy_odd = __builtin_shufflevector(value.x, value.y, 1, 5, 3, 7);
-  const Quad z_even = __builtin_shufflevector(value.z, none, 0, 4, 2, 6);
-  const Quad z_odd = __builtin_shufflevector(value.z, none, 1, 5, 3, 7);
-  add_quad(__builtin_shufflevector(xy_even, z_even, 0, 1, 4, 5), scale, sum + dofs[0]);
-  add_quad(__builtin_shufflevector(xy_odd, z_odd, 0, 1, 4, 5), scale, sum + dofs[1]);
-  add_quad(__builtin_shufflevector(xy_even, z_even, 2, 3, 6, 7), scale, sum + dofs[2]);
-  add_quad(__builtin_shufflevector(xy_odd, z_odd, 2, 3, 6, 7), scale, sum + dofs[3]);
+  const auto [ab_xz, ab_y] = interleaved(a, b);  // x x z z, y y 0 0
+  const auto [cd_xz, cd_y] = interleaved(c, d);
+  return {__builtin_shufflevector(ab_xz, cd_xz, 0, 1, 4, 5),
+          __builtin_shufflevector(ab_y, cd_y, 0, 1, 4, 5),
+          __builtin_shufflevector(ab_xz, cd_xz, 2, 3, 6, 7)};
 }
 
 template <>
@@ -77,32 +70,32 @@ inline Triple<8> load_nodes<8>(const std::int32_t* dofs, const double* u) {
     pair[k] = __builtin_shufflevector(load_quad(u + dofs[k]), load_quad(u + dofs[k + 4]), 0, 1, 2,
                                       3, 4, 5, 6, 7);
   }
-  const auto even01 = __builtin_shufflevector(pair[0], pair[1], 0, 8, 2, 10, 4, 12, 6, 14);
-  const auto even23 = __builtin_shufflevector(pair[2], pair[3], 0, 8, 2, 10, 4, 12, 6, 14);
-  const auto odd01 = __builtin_shufflevector(pair[0], pair[1], 1, 9, 3, 11, 5, 13, 7, 15);
-  const auto odd23 = __builtin_shufflevector(pair[2], pair[3], 1, 9, 3, 11, 5, 13, 7, 15);
-  return {__builtin_shufflevector(even01, even23, 0, 1, 8, 9, 4, 5, 12, 13),
-          __builtin_shufflevector(odd01, odd23, 0, 1, 8, 9, 4, 5, 12, 13),
-          __builtin_shufflevector(even01, even23, 2, 3, 10, 11, 6, 7, 14, 15)};
+  const auto [xz01, y01] = interleaved(pair[0], pair[1]);
+  const auto [xz23, y23] = interleaved(pair[2], pair[3]);
+  return {__builtin_shufflevector(xz01, xz23, 0, 1, 8, 9, 4, 5, 12, 13),
+          __builtin_shufflevector(y01, y23, 0, 1, 8, 9, 4, 5, 12, 13),
+          __builtin_shufflevector(xz01, xz23, 2, 3, 10, 11, 6, 7, 14, 15)};
 }
 
-template <>
-inline void add_to_nodes<8>(const std::int32_t* dofs, const Triple<8>& value, double scale,
-                            double* sum) {
-  const Pack<double, 8> none{};
-  const auto even_xy = __builtin_shufflevector(value.x, value.y, 0, 8, 2, 10, 4, 12, 6, 14);
-  const auto odd_xy = __builtin_shufflevector(value.x, value.y, 1, 9, 3, 11, 5, 13, 7, 15);
-  const auto even_z = __builtin_shufflevector(value.z, none, 0, 8, 2, 10, 4, 12, 6, 14);
-  const auto odd_z = __builtin_shufflevector(value.z, none, 1, 9, 3, 11, 5, 13, 7, 15);
-  const Pack<double, 8> pair[4] = {
-      __builtin_shufflevector(even_xy, even_z, 0, 1, 8, 9, 4, 5, 12, 13),
-      __builtin_shufflevector(odd_xy, odd_z, 0, 1, 8, 9, 4, 5, 12, 13),
-      __builtin_shufflevector(even_xy, even_z, 2, 3, 10, 11, 6, 7, 14, 15),
-      __builtin_shufflevector(odd_xy, odd_z, 2, 3, 10, 11, 6, 7, 14, 15)};
-  for (int k = 0; k < 4; ++k) {
-    add_quad(__builtin_shufflevector(pair[k], pair[k], 0, 1, 2, 3), scale, sum + dofs[k]);
-    add_quad(__builtin_shufflevector(pair[k], pair[k], 4, 5, 6, 7), scale, sum + dofs[k + 4]);
+/// sum[dof + i] += value of each lane, one lane after the other: lanes may share nodes. Written as
+/// x and y together and z: a store that reached into the next node would make that one's load wait.
+template <int lanes>
+inline void add_to_nodes(const std::int32_t* dofs, const Triple<lanes>& value, double* sum) {
+  const auto [even, odd] = interleaved(value.x, value.y);
+  const auto add_lane = [&](auto lane) {
+    constexpr int l = lane, pair = l / 2 * 2;
+    const auto& of_two = l % 2 == 0 ? even : odd;
+    double* const node = sum + dofs[l];
+    Pack<double, 2> xy;
+    std::memcpy(&xy, node, sizeof xy);
+    xy += __builtin_shufflevector(of_two, of_two, pair, pair + 1);
+    std::memcpy(node, &xy, sizeof xy);
+    node[2] += value.z[l];
+  };
+  [&]<int... lane>(std::integer_sequence<int, lane...>) {
+    (add_lane(std::integral_constant<int, lane>{}), ...);
   }
+  (std::make_integer_sequence<int, lanes>{});
 }
 
 /// Doubles as floats and back.
@@ -146,7 +139,7 @@ inline void gather_numbers(const std::int32_t* dofs, int num_nodes, const double
   }
 }
 
-/// The same by vectors; reads the double behind each node.
+/// The same by vectors.
 template <int num_nodes, class V>
 inline void gather_packs(const std::int32_t* dofs, const double* u, V* out) {
   constexpr int lanes = lanes_of<V>;
@@ -193,13 +186,15 @@ inline void add_packs(const std::int32_t* dofs, const V* value, double scale, do
     const V* const v = value + 3 * a;
     const std::int32_t* const node = dofs + lanes * a;
     if constexpr (std::is_same_v<Scalar<V>, double>) {
-      add_to_nodes<lanes>(node, {v[0], v[1], v[2]}, scale, sum);
+      add_to_nodes<lanes>(node, {scale * v[0], scale * v[1], scale * v[2]}, sum);
     } else {
       constexpr int half = lanes / 2;
-      add_to_nodes<half>(node, {low_doubles(v[0]), low_doubles(v[1]), low_doubles(v[2])}, scale,
-                         sum);
-      add_to_nodes<half>(node + half, {high_doubles(v[0]), high_doubles(v[1]), high_doubles(v[2])},
-                         scale, sum);
+      const auto add_half = [&](const std::int32_t* nodes, const auto& x, const auto& y,
+                                const auto& z) {
+        add_to_nodes<half>(nodes, {scale * x, scale * y, scale * z}, sum);
+      };
+      add_half(node, low_doubles(v[0]), low_doubles(v[1]), low_doubles(v[2]));
+      add_half(node + half, high_doubles(v[0]), high_doubles(v[1]), high_doubles(v[2]));
     }
   }
 }
@@ -228,7 +223,7 @@ std::uint32_t nodal_pass(const NodalPass<Scalar<V>>& pass) {
   arguments.output = reinterpret_cast<S*>(output);
   arguments.status = flags;
   double* const sum = pass.sum - pass.first_dof;
-  constexpr std::size_t bytes_ahead = 2048;
+  constexpr std::size_t bytes_ahead = 4096;
   const std::size_t ahead = 1 + bytes_ahead / (sizeof(S) * (1 + pass.constants_stride));
   for (std::size_t batch = pass.begin; batch < pass.end; ++batch) {
     const std::size_t set =
@@ -249,16 +244,13 @@ std::uint32_t nodal_pass(const NodalPass<Scalar<V>>& pass) {
     }
     const std::int32_t* const dofs =
         pass.dofs + batch * static_cast<std::size_t>(num_nodes * lanes);
-    // Loads by vectors reach one number behind a node: not where that is the vectors' end.
-    std::int32_t last = 0;
-    for (int k = 0; k < num_nodes * lanes; ++k) last = dofs[k] > last ? dofs[k] : last;
-    const bool is_inside = last + dim < pass.end_dof;
     const auto gather = [&](const double* from, V* to) {
       if (from == nullptr) return;
       if constexpr (by_vectors) {
-        if (is_inside) return gather_packs<num_nodes>(dofs, from, to);
+        gather_packs<num_nodes>(dofs, from, to);
+      } else {
+        gather_numbers<S, dim, lanes>(dofs, num_nodes, from, reinterpret_cast<S*>(to));
       }
-      gather_numbers<S, dim, lanes>(dofs, num_nodes, from, reinterpret_cast<S*>(to));
     };
     gather(pass.displacement, displacement);
     gather(pass.direction, direction);

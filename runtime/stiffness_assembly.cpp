@@ -10,9 +10,9 @@ namespace elastogen {
 namespace {
 
 // Element matrices that a thread computes before columns are added: enough to hide the barriers,
-// few enough to stay in cache.
+// few enough to stay in the second cache.
 template <class Scalar>
-constexpr std::size_t numbers_per_thread = (1u << 20) / sizeof(Scalar);
+constexpr std::size_t numbers_per_thread = (1u << 17) / sizeof(Scalar);
 
 template <class Scalar>
 std::size_t largest_matrix_batch(const std::vector<ElementGroup<Scalar>>& groups) {
@@ -84,10 +84,13 @@ ElementStatus StiffnessAssembly<Scalar>::run(const std::vector<ElementGroup<Scal
           }
         });
 #pragma omp barrier
-        for (std::size_t batch = begin; batch < end; ++batch) {
-          add_columns(group, g, batch, matrices_.data() + (batch - begin) * size, thread,
-                      num_threads, values);
-        }
+        with_layout(group, [&](auto layout) {
+          for (std::size_t batch = begin; batch < end; ++batch) {
+            add_columns<decltype(layout)>(group, g, batch,
+                                          matrices_.data() + (batch - begin) * size, thread,
+                                          num_threads, values);
+          }
+        });
 #pragma omp barrier
       }
     }
@@ -98,28 +101,29 @@ ElementStatus StiffnessAssembly<Scalar>::run(const std::vector<ElementGroup<Scal
 }
 
 template <class Scalar>
+template <class Layout>
 void StiffnessAssembly<Scalar>::add_columns(const ElementGroup<Scalar>& group,
                                             std::size_t group_number, std::size_t batch,
                                             const Scalar* matrices, int thread, int num_threads,
                                             double* values) const {
-  const std::size_t lanes = static_cast<std::size_t>(group.lanes);
+  constexpr int d = Layout::dim, lanes = Layout::lanes;
   const int n = group.num_nodes;
-  const int d = group.dim;
-  const std::int32_t* dofs = group.dofs.data() + batch * static_cast<std::size_t>(n) * lanes;
+  const std::int32_t* dofs = group.dofs.data() + batch * static_cast<std::size_t>(n * lanes);
   const std::int32_t* slots =
-      pattern_.slots(group_number).data() + batch * lanes * static_cast<std::size_t>(n * n);
+      pattern_.slots(group_number).data() + batch * static_cast<std::size_t>(lanes * n * n);
+  const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(n) * d * lanes;  // of an element's matrix
   for (int l = 0; l < group.used_lanes(batch); ++l) {
     for (int a = 0; a < n; ++a) {
-      const std::int32_t node = dofs[a * group.lanes + l] / d;
-      if (node % num_threads != thread) continue;
-      const std::int32_t column_length = pattern_.column_length(static_cast<std::size_t>(node));
-      for (int b = 0; b < n; ++b) {
-        // K is symmetric: row (a, j) of the element matrix is column (a, j) of the global one.
-        double* block = values + slots[(l * n + a) * n + b];
-        const Scalar* from = matrices + static_cast<std::size_t>((a * d * n + b) * d) * lanes + l;
+      const std::int32_t node = dofs[a * lanes + l] / d;
+      if (num_threads > 1 && node % num_threads != thread) continue;
+      const std::ptrdiff_t column_length = pattern_.column_length(static_cast<std::size_t>(node));
+      // K is symmetric: row (a, j) of the element matrix is column (a, j) of the global one.
+      const Scalar* from = matrices + a * d * row + l;
+      for (int b = 0; b < n; ++b, from += d * lanes) {
+        double* const block = values + slots[(l * n + a) * n + b];
         for (int j = 0; j < d; ++j) {
           for (int i = 0; i < d; ++i) {
-            block[j * column_length + i] += from[static_cast<std::size_t>(j * n * d + i) * lanes];
+            block[j * column_length + i] += static_cast<double>(from[j * row + i * lanes]);
           }
         }
       }

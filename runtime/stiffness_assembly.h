@@ -28,6 +28,7 @@ class StiffnessAssembly {
                     TangentForm form, double* values);
 
  private:
+  template <class Layout>
   void add_columns(const ElementGroup<Scalar>& group, std::size_t group_number, std::size_t batch,
                    const Scalar* matrices, int thread, int num_threads, double* values) const;
 
