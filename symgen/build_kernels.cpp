@@ -9,7 +9,6 @@
 
 #include "runtime/error.h"
 #include "symgen/dag/differentiate.h"
-#include "symgen/mechanics/expanded_formulation.h"
 #include "symgen/mechanics/reference_gradients.h"
 #include "symgen/passes/cost.h"
 #include "symgen/passes/extract_grouped_constants.h"
@@ -110,11 +109,6 @@ PartGraph differentiated(ElementGraph& element, const EnergyPart& part) {
   result.product = copied(product);
   result.margins = copied(domain_of(element.dag, energy));
   return result;
-}
-
-/// Entry of the flux at a point, an input of the integration.
-std::string flux_name(std::size_t point, std::size_t entry) {
-  return fmt::format("F{}.{}", point, entry);
 }
 
 class Builder {
@@ -442,63 +436,6 @@ class Builder {
 
 }  // namespace
 
-namespace {
-
-long flops_of(const OperationKernels& operation) {
-  long flops = 0;
-  for (const Fragment& fragment : operation.fragments) flops += fragment.operations.flops();
-  return flops;
-}
-
-}  // namespace
-
-bool is_nodal(const std::string& operation) {
-  return operation == "forces" || operation == "product" || operation == "apply";
-}
-
-bool reads(const OperationKernels& operation, Slot slot) {
-  return std::any_of(operation.fragments.begin(), operation.fragments.end(),
-                     [&](const Fragment& each) { return !indices_read(each, slot).empty(); });
-}
-
-long VariantKernels::flops(const std::string& name) const {
-  const OperationKernels& kernel = operation(name);
-  const long flops = flops_of(kernel);
-  if (!loop || name == "geometry") return flops;
-  if (name == "constants" && loop->is_affine) return flops_of(loop->jacobian) + flops;
-  long total = static_cast<long>(num_points) * flops;
-  for (const Slot field : {Slot::position, Slot::displacement, Slot::direction}) {
-    if (!reads(kernel, field)) continue;
-    const bool is_same = field == Slot::position && loop->is_affine;
-    total += flops_of(is_same ? loop->jacobian : loop->interpolate);
-  }
-  if (name == "energy") total += flops_of(loop->weigh);
-  if (is_nodal(name)) total += flops_of(loop->integrate);
-  return total;
-}
-
-int VariantKernels::num_outputs(const OperationKernels& operation) const {
-  if (!loop) return operation.num_outputs;
-  if (is_nodal(operation.name)) return num_nodes * dim;
-  if (operation.name == "constants") return num_stored_constants();
-  return operation.name == "linearize" ? num_stored_state() : operation.num_outputs;
-}
-
-int VariantKernels::num_constant_sets() const { return loop && !loop->is_affine ? num_points : 1; }
-
-int VariantKernels::num_stored_constants() const {
-  return num_constant_sets() * static_cast<int>(constants.size());
-}
-
-int VariantKernels::num_stored_state() const { return (loop ? num_points : 1) * num_state; }
-
-const OperationKernels& VariantKernels::operation(const std::string& name) const {
-  for (const OperationKernels& candidate : operations) {
-    if (candidate.name == name) return candidate;
-  }
-  throw InternalError("no operation named " + name);
-}
-
 VariantKernels build_kernels(ElementGraph graph, Geometry geometry, const Split& split,
                              const Profile& profile, Grouping grouping, StageLog& log) {
   const ElementGraph whole = graph;
@@ -522,144 +459,6 @@ VariantKernels build_point_kernels(PointwiseGraph graph, Geometry geometry, cons
   builder.collect_loop(graph);
   builder.schedule();
   return builder.take();
-}
-
-namespace {
-
-/// Kernels of one piece per operation, for evaluation only.
-VariantKernels whole_kernels(Dag dag, NodeId energy, const std::vector<NodeId>& forces,
-                             const std::vector<NodeId>& product) {
-  const std::vector<int> rows = counting(forces.size());
-  const int num_dofs = static_cast<int>(forces.size());
-  VariantKernels kernels;
-  kernels.operations = {{"energy", 1, {{{energy}, {0}, {}}}, {}},
-                        {"forces", num_dofs, {{forces, rows, {}}}, {}},
-                        {"product", num_dofs, {{product, rows, {}}}, {}}};
-  kernels.dag = std::move(dag);
-  return kernels;
-}
-
-/// Operations of a loop as graphs of the element's inputs, their structure unchanged.
-class WrittenOut {
- public:
-  WrittenOut(const VariantKernels& kernels, Dag& target) : kernels_(kernels), target_(target) {
-    gradients_["U"] = interpolated("U", Stage::state);
-    gradients_["V"] = interpolated("V", Stage::direction);
-    gradients_["X"] = kernels.loop->is_affine ? copied(kernels.loop->jacobian.pieces[0].roots, {})
-                                              : interpolated("X", Stage::rest);
-  }
-
-  /// What an operation computes at point g.
-  [[nodiscard]] std::vector<NodeId> at_point(const std::vector<NodeId>& roots,
-                                             std::size_t g) const {
-    Images images;
-    const auto entries = static_cast<std::size_t>(kernels_.dim * kernels_.dim);
-    for (const auto& [field, gradients] : gradients_) {
-      const std::size_t first = gradients.size() > entries ? g * entries : 0;
-      for (int i = 0; i < kernels_.dim; ++i) {
-        for (int k = 0; k < kernels_.dim; ++k) {
-          images[gradient_name(field, i, k)] =
-              gradients[first + static_cast<std::size_t>(i * kernels_.dim + k)];
-        }
-      }
-    }
-    return copied(roots, images);
-  }
-
-  /// Nodal values of the fluxes that an operation computes at all points.
-  [[nodiscard]] std::vector<NodeId> integrated(const std::vector<NodeId>& roots) const {
-    Images images;
-    for (std::size_t g = 0; g < kernels_.loop->weights.size(); ++g) {
-      const std::vector<NodeId> fluxes = at_point(roots, g);
-      for (std::size_t k = 0; k < fluxes.size(); ++k) images[flux_name(g, k)] = fluxes[k];
-    }
-    return copied(kernels_.loop->integrate.pieces[0].roots, images);
-  }
-
- private:
-  using Images = std::map<std::string, NodeId>;  // of inputs, by name
-
-  [[nodiscard]] std::vector<NodeId> interpolated(const std::string& field, Stage stage) const {
-    Images images;
-    for (int a = 0; a < kernels_.num_nodes; ++a) {
-      for (int i = 0; i < kernels_.dim; ++i) {
-        images[nodal_name("U", a, i)] = target_.symbol(nodal_name(field, a, i), stage);
-      }
-    }
-    return copied(kernels_.loop->interpolate.pieces[0].roots, images);
-  }
-
-  /// Inputs without an image keep their names.
-  [[nodiscard]] std::vector<NodeId> copied(const std::vector<NodeId>& roots,
-                                           const Images& images) const {
-    return rebuild(kernels_.dag, roots, [&](NodeId id, Node node) {
-      if (node.kind == Kind::symbol) {
-        const std::string& name = kernels_.dag.symbol_name(id);
-        const auto image = images.find(name);
-        return image == images.end() ? target_.symbol(name, node.stage) : image->second;
-      }
-      std::sort(node.operands.begin(), node.operands.end());
-      return target_.intern(std::move(node));
-    });
-  }
-
-  const VariantKernels& kernels_;
-  Dag& target_;
-  std::map<std::string, std::vector<NodeId>> gradients_;
-};
-
-}  // namespace
-
-VariantKernels written_out(const VariantKernels& kernels) {
-  if (!kernels.loop) return kernels;
-  const PointLoop& loop = *kernels.loop;
-  Dag dag(kernels.dag.number_pool());
-  const WrittenOut write(kernels, dag);
-  const Piece& energy_at_point = kernels.operation("energy").pieces[0];
-  std::vector<Operand> energies;
-  std::vector<NodeId> margins;
-  for (std::size_t g = 0; g < loop.weights.size(); ++g) {
-    energies.push_back({write.at_point(energy_at_point.roots, g)[0], loop.weights[g]});
-    const std::vector<NodeId> more = write.at_point(energy_at_point.margins, g);
-    margins.insert(margins.end(), more.begin(), more.end());
-  }
-  const NodeId energy = dag.sum(std::move(energies));
-  const auto nodal = [&](const char* operation) {
-    return write.integrated(kernels.operation(operation).pieces[0].roots);
-  };
-  const std::vector<NodeId> forces = nodal("forces"), product = nodal("product");
-  VariantKernels whole = whole_kernels(std::move(dag), energy, forces, product);
-  whole.operations[0].pieces[0].margins = margins;
-  return whole;
-}
-
-VariantKernels unoptimised_kernels(ElementGraph graph) {
-  const auto parts = energy_parts(Split{}, static_cast<int>(graph.energies.size()),
-                                  static_cast<int>(graph.determinants.size()));
-  const NodeId energy = sum_of(graph, graph.energies, parts[0]);
-  const std::vector<NodeId> forces = forces_of(graph, energy);
-  const std::vector<NodeId> product = product_of(graph, forces);
-  return whole_kernels(std::move(graph.dag), energy, forces, product);
-}
-
-VariantKernels expanded_kernels(ElementGraph graph) {
-  const ExpandedFormulation expanded = expand_formulation(graph);
-  const EnergyConstants& definition = expanded.definition;
-  std::unordered_map<NodeId, NodeId> images;
-  const auto put = [&](const std::vector<NodeId>& inputs, const std::vector<NodeId>& values) {
-    for (std::size_t k = 0; k < inputs.size(); ++k) images[inputs[k]] = values[k];
-  };
-  put(expanded.parameters, graph.parameters);
-  put(expanded.constants, copy_into(graph.dag, definition.graph.dag, definition.constants));
-  put(expanded.displacement, graph.displacement);
-  put(expanded.direction, graph.direction);
-  const auto substituted = [&](const std::vector<NodeId>& values) {
-    return substitute_into(graph.dag, expanded.dag, values, images);
-  };
-  const NodeId energy = substituted({expanded.energy})[0];
-  const std::vector<NodeId> forces = substituted(expanded.forces);
-  const std::vector<NodeId> product = substituted(expanded.product);
-  return whole_kernels(std::move(graph.dag), energy, forces, product);
 }
 
 long typical_fragment_flops(ElementGraph graph, const Split& split) {

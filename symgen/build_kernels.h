@@ -1,85 +1,14 @@
 // From an element's energies to the fragments of every operation: derivatives and passes in order.
 #pragma once
 
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "symgen/emit/kernel_ast.h"
 #include "symgen/mechanics/element_graph.h"
 #include "symgen/passes/profile.h"
 #include "symgen/passes/split.h"
 #include "symgen/pipeline.h"
 #include "symgen/stage_log.h"
+#include "symgen/variant_kernels.h"
 
 namespace elastogen::symgen {
-
-/// A value graph with where each root goes: output[outputs[k]] += roots[k].
-struct Piece {
-  std::vector<NodeId> roots;
-  std::vector<int> outputs;
-  std::vector<NodeId> margins = {};  ///< positive where the law is defined
-};
-
-/// One operation: fragments that accumulate into its outputs.
-struct OperationKernels {
-  std::string name;
-  int num_outputs = 0;
-  std::vector<Piece> pieces;        ///< in VariantKernels::dag, before scheduling
-  std::vector<Fragment> fragments;  ///< one per piece
-};
-
-/// Whether an operation gives nodal values: forces, product, apply.
-[[nodiscard]] bool is_nodal(const std::string& operation);
-/// Whether an operation depends on an input array.
-[[nodiscard]] bool reads(const OperationKernels& operation, Slot slot);
-
-/// How operations on one quadrature point make those on an element. Each takes gradients in
-/// reference coordinates instead of nodal values, and gives fluxes instead of nodal forces:
-///   energy                     interpolate, each point, weigh
-///   forces, product, apply     interpolate, each point, integrate
-///   linearize                  interpolate, each point
-///   constants                  Jacobians, each point, or once if these are the same
-struct PointLoop {
-  std::vector<NumberId> weights;  ///< of the points
-  bool is_affine = false;         ///< Jacobians and constants are the same at all points
-  /// Gradients at all points of a nodal field (Slot::displacement), [(g * dim + i) * dim + k].
-  OperationKernels interpolate;
-  /// Nodal values of weighted fluxes at all points (Slot::displacement, likewise): the transpose.
-  OperationKernels integrate;
-  /// The energy of densities at all points (Slot::displacement).
-  OperationKernels weigh;
-  /// The Jacobian [i * dim + k] from positions, if affine; else it is interpolated from them.
-  OperationKernels jacobian;
-};
-
-/// All operations of one geometry variant of an association.
-struct VariantKernels {
-  Geometry geometry = Geometry::general;
-  int num_nodes = 0, dim = 0, num_points = 0;
-  Dag dag;                        ///< after all passes
-  std::vector<NodeId> constants;  ///< stored grouped constants, in the order of their storage
-  int constants_algorithm6 = 0;   ///< what algorithm 6 stores
-  int num_state = 0;
-  bool reads_positions = false;  ///< energy ... stiffness read rest positions
-  /// constants, geometry, energy, forces, product, linearize, apply, in this order
-  std::vector<OperationKernels> operations;
-  /// If set, operations (but not geometry), constants and state are those of one point.
-  std::optional<PointLoop> loop;
-
-  /// Of an operation, per element.
-  [[nodiscard]] long flops(const std::string& name) const;
-  /// Numbers that an operation of an element computes.
-  [[nodiscard]] int num_outputs(const OperationKernels& operation) const;
-  /// How often an element stores the constants: for each point of a loop, or once.
-  [[nodiscard]] int num_constant_sets() const;
-  /// Numbers that one element stores.
-  [[nodiscard]] int num_stored_constants() const;
-  [[nodiscard]] int num_stored_state() const;
-
-  [[nodiscard]] const OperationKernels& operation(const std::string& name) const;
-};
 
 /// The stages after mechanics, in order. `graph` is the element's; it is copied.
 /// @param log  gets a record of each stage
@@ -93,15 +22,6 @@ struct VariantKernels {
 [[nodiscard]] VariantKernels build_point_kernels(PointwiseGraph graph, Geometry geometry,
                                                  const Profile& profile, Grouping grouping,
                                                  StageLog& log);
-
-/// Kernels of a loop written out again, for evaluation: energy, forces and product of the element.
-[[nodiscard]] VariantKernels written_out(const VariantKernels& kernels);
-
-/// Energy, forces and product as they come from mechanics, without any pass: the reference.
-[[nodiscard]] VariantKernels unoptimised_kernels(ElementGraph graph);
-
-/// The same from the thesis's polynomials, every monomial written out.
-[[nodiscard]] VariantKernels expanded_kernels(ElementGraph graph);
 
 /// Flops of the largest kind of fragment that a split makes, by the product, the dearest operation
 /// (what is known at rest not counted). Made from one Gauss point and one row part, since the

@@ -7,6 +7,7 @@
 #include "symgen/dag/decimal.h"
 #include "symgen/formulation.h"
 #include "symgen/passes/split.h"
+#include "symgen/reference_kernels.h"
 
 namespace elastogen::symgen {
 namespace {

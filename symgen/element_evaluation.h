@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "symgen/build_kernels.h"
 #include "symgen/dag/evaluate.h"
 #include "symgen/pipeline.h"
+#include "symgen/variant_kernels.h"
 
 namespace elastogen::symgen {
 

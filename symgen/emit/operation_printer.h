@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "symgen/build_kernels.h"
 #include "symgen/emit/expression_printer.h"
+#include "symgen/variant_kernels.h"
 
 namespace elastogen::symgen {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "symgen/build_kernels.h"
 #include "symgen/emit/provenance.h"
+#include "symgen/variant_kernels.h"
 
 namespace elastogen::symgen {
 

@@ -102,6 +102,10 @@ std::string gradient_name(const std::string& field, int i, int k) {
   return fmt::format("d{}.{}/dxi{}", field, "xyz"[i], k);
 }
 
+std::string flux_name(std::size_t point, std::size_t entry) {
+  return fmt::format("F{}.{}", point, entry);
+}
+
 NodeMatrix gradient_inputs(Dag& dag, const std::string& field, int dim, Stage stage) {
   NodeMatrix inputs(dim, std::vector<NodeId>(dim));
   for (int i = 0; i < dim; ++i) {

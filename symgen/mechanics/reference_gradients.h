@@ -18,6 +18,9 @@ using NodeMatrix = std::vector<std::vector<NodeId>>;
 /// "dU.x/dxi0": its derivative in reference coordinates at a point.
 [[nodiscard]] std::string gradient_name(const std::string& field, int i, int k);
 
+/// "F2.5": entry of the flux at a point, an input of the integration.
+[[nodiscard]] std::string flux_name(std::size_t point, std::size_t entry);
+
 /// Inputs d field_i / d xi_k, as [i][k].
 [[nodiscard]] NodeMatrix gradient_inputs(Dag& dag, const std::string& field, int dim, Stage stage);
 

@@ -152,10 +152,11 @@ std::string speed_html(const SpeedResults& results) {
       "<meta name=viewport content=\"width=device-width\">\n"
       "<title>Speed of kernels and operators</title>\n<style>{}</style></head>\n<body>\n"
       "<h1>Speed of kernels and operators</h1>\n{}"
-      "<p>Grey lines are what the machine can do at most: the bandwidth of a triad over arrays of "
-      "the size named, and the peak of multiply-adds, measured in the same run. A point under the "
-      "mouse shows its figures. Times are the least of many samples, of the thread's processor "
-      "time where there is one thread.</p>\n<pre class=quantity>{}</pre>\n",
+      "<p>What the machine can do at most, the peak of multiply-adds and the bandwidth of a triad "
+      "over arrays of the size named, was measured in the same run; where there are grey lines in "
+      "a picture, they are these. A point under the mouse shows its figures. Times are the least "
+      "of many samples, of the thread's processor time where there is one "
+      "thread.</p>\n<pre class=quantity>{}</pre>\n",
       bench_page_style(), bench_run_html(results.run), html_text(limits_text(results.limits)));
   struct Section {
     const char* benchmark;
