@@ -121,6 +121,7 @@ void write_peer(const std::filesystem::path& folder, const std::string& script) 
 TEST_F(SpeedBench, PeersAreComparedByTheirResults) {
   const std::filesystem::path own = out() / "own";
   write_peer(own / "refusing", "echo 'refusing: no tetrahedra' >&2; exit 3\n");
+  write_peer(own / "failing", "echo 'no compiler' >&2; exit 1\n");
   write_peer(own / "wrong",
              "tr '\\0-\\377' '\\1' < \"$2/displacement.f64\" > \"$2/wrong.plain.product.f64\"\n"
              "echo 'plain product 1e-9 2e-9'\n");
@@ -130,11 +131,14 @@ TEST_F(SpeedBench, PeersAreComparedByTheirResults) {
   const ProcessResult result = run_process([&] {
     std::vector<std::string> whole = {"env", cache_setting(), program(), "bench"};
     whole.insert(whole.end(), command.begin(), command.end());
-    whole.insert(whole.end(), {"--peer", "sparse", "refusing", "wrong"});
+    whole.insert(whole.end(), {"--peer", "sparse", "refusing", "failing", "wrong"});
     return whole;
   }());
   ASSERT_EQ(result.exit_status, 0) << result.output;
   EXPECT_NE(result.output.find("refusing: no tetrahedra"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("warning: the peer failing failed on stvk tet4: no compiler"),
+            std::string::npos)
+      << result.output;
   EXPECT_NE(result.output.find("wrong plain is left out: its product"), std::string::npos)
       << result.output;
   std::set<std::string> programs;

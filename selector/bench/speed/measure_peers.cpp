@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "runtime/error.h"
@@ -93,12 +94,26 @@ class PeerRounds {
     std::vector<double> medians, ratios;
   };
 
+  /// What a peer answers; nothing if it fails, which shall not lose what others have measured.
+  std::optional<PeerAnswer> answer_of(const Peer& peer) {
+    try {
+      return run_peer(peer, peers_.work / "builds", problem_);
+    } catch (const WorkError& error) {
+      // Ctrl-C at the terminal ends the peer, too.
+      if (!options_.interrupted()) fmt::print(stderr, "warning: {}\n", error.what());
+      refused_.insert(peer.name);
+      return {};
+    }
+  }
+
   void ask(const Peer& peer) {
-    const PeerAnswer answer = run_peer(peer, peers_.work / "builds", problem_);
+    const std::optional<PeerAnswer> asked = answer_of(peer);
+    if (!asked) return;
+    const PeerAnswer& answer = *asked;
     const bool is_first = told_.insert(peer.name).second;
     if (!answer.refusal.empty()) {
       refused_.insert(peer.name);
-      options_.tell(fmt::format("{}: {}", peer.name, answer.refusal));
+      options_.tell(answer.refusal);
       return;
     }
     if (is_first) {

@@ -57,8 +57,7 @@ struct PeerOptions {
 };
 
 /// Forces and products in one thread beside those of other programs on the same mesh. A peer whose
-/// result differs from ours is said so and left out.
-/// @throws WorkError  a peer failed
+/// result differs from ours is said so and left out, and so is one that fails.
 void measure_peers(const SpeedOptions& options, const PeerOptions& peers,
                    const MachineLimits& limits, const std::function<void(const SpeedRecord&)>& add);
 
