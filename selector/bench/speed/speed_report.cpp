@@ -97,7 +97,7 @@ std::string scaling_chart(const SpeedResults& results, const std::string& associ
   chart.title = association;
   chart.x = {"elements", true, TickFormat::number, {}, {}};
   chart.y = {"ns per element", true, TickFormat::number, {}, {}};
-  chart.legend_width = 260;
+  chart.legend_width = 340;
   for (auto& [name, line] : lines) chart.series.push_back(std::move(line));
   return svg(chart);
 }
