@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace elastogen {
@@ -57,7 +56,7 @@ std::uint64_t place(const Mesh& mesh, std::span<const std::int32_t> nodes, const
   return code;
 }
 
-/// Values at the nodes moved to `target(new, old)`.
+/// Values of each node from one place to another: `move(new, old)` are these, target first.
 template <class Move>
 Vector moved(const MeshOrder& order, const ConstVectorRef& vector, Move&& move) {
   Vector result(vector.size());

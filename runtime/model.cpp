@@ -55,13 +55,6 @@ GroupSummary summary_of(const ElementGroup<Scalar>& group) {
   return s;
 }
 
-}  // namespace
-
-std::string_view precision_name(Precision precision) {
-  constexpr std::array<std::string_view, 3> names = {"double", "mixed", "single"};
-  return names[static_cast<std::size_t>(precision)];
-}
-
 // In four sums, as each addition waits for the one before it.
 double inner_product(const double* a, const double* b, int count) {
   double sums[4] = {};
@@ -100,6 +93,13 @@ void subtract_product(const Eigen::SparseMatrix<double>& stiffness, const double
     }
     for (int j = 0; j < dim; ++j) df[dim * node + j] -= scale * sums[j];
   }
+}
+
+}  // namespace
+
+std::string_view precision_name(Precision precision) {
+  constexpr std::array<std::string_view, 3> names = {"double", "mixed", "single"};
+  return names[static_cast<std::size_t>(precision)];
 }
 
 struct Model::Data {
