@@ -33,13 +33,8 @@ void measure_mesh(const AssociationKernels& kernels, const std::string& shape, s
   options.tell(fmt::format("{} on {} {} elements", kernels.id.text(), mesh.num_elements(), shape));
   for (const std::string& precision : options.precisions) {
     for (const int threads : options.threads) {
-      SpeedRecord record;
-      record.benchmark = "operators";
-      record.association = kernels.id.text();
+      SpeedRecord record = record_on_mesh("operators", kernels, mesh, shape);
       record.precision = precision;
-      record.mesh = shape;
-      record.elements = mesh.num_elements();
-      record.dofs = mesh.positions.size();
       record.threads = threads;
       OperatorSpeed speed(kernels, mesh, record, options, limits, add);
       speed.measure_forces();

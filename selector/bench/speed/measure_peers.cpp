@@ -181,14 +181,8 @@ void measure_mesh(const AssociationKernels& kernels, const std::string& shape,
   const std::size_t size =
       options.elements.empty() ? usual_size(kernels.id.element) : options.elements.front();
   const Mesh mesh = make_speed_mesh(kernels.id, size, shape == "distorted");
-  SpeedRecord start;
-  start.benchmark = "peers";
-  start.association = kernels.id.text();
-  start.precision = "double";
-  start.mesh = shape;
+  SpeedRecord start = record_on_mesh("peers", kernels, mesh, shape);
   start.order = "natural";
-  start.elements = mesh.num_elements();
-  start.dofs = mesh.positions.size();
   PeerRounds rounds(kernels, mesh, start, options, peers, limits);
   for (int round = 1; round <= peers.rounds && !options.interrupted(); ++round) {
     options.tell(fmt::format("{} on {} {} elements: round {} of {}", kernels.id.text(),

@@ -61,13 +61,7 @@ double needed_bytes(const AssociationKernels& kernels, std::size_t elements) {
 void measure_mesh(const AssociationKernels& kernels, const std::string& shape, std::size_t size,
                   const SpeedOptions& options, const MachineLimits& limits, const Add& add) {
   const Mesh natural = make_speed_mesh(kernels.id, size, shape == "distorted");
-  SpeedRecord record;
-  record.benchmark = "scaling";
-  record.association = kernels.id.text();
-  record.precision = "double";
-  record.mesh = shape;
-  record.elements = natural.num_elements();
-  record.dofs = natural.positions.size();
+  SpeedRecord record = record_on_mesh("scaling", kernels, natural, shape);
   for (const std::string& order : options.orders) {
     const Mesh mesh = in_order(natural, order);
     for (const int threads : options.threads) {

@@ -15,6 +15,18 @@ TangentProduct strategy_named(const std::string& name) {
 
 }  // namespace
 
+SpeedRecord record_on_mesh(const std::string& benchmark, const AssociationKernels& kernels,
+                           const Mesh& mesh, const std::string& shape) {
+  SpeedRecord record;
+  record.benchmark = benchmark;
+  record.association = kernels.id.text();
+  record.precision = "double";
+  record.mesh = shape;
+  record.elements = mesh.num_elements();
+  record.dofs = mesh.positions.size();
+  return record;
+}
+
 OperatorSpeed::OperatorSpeed(const AssociationKernels& kernels, const Mesh& mesh,
                              SpeedRecord record, const SpeedOptions& options,
                              const MachineLimits& limits,

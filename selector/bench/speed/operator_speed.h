@@ -9,6 +9,12 @@
 
 namespace elastogen::selector {
 
+/// What every record of operators on a mesh has; in double precision and one thread.
+/// @param shape  "distorted" or "box-shaped"
+[[nodiscard]] SpeedRecord record_on_mesh(const std::string& benchmark,
+                                         const AssociationKernels& kernels, const Mesh& mesh,
+                                         const std::string& shape);
+
 /// Operators of one association on one mesh, in the precision and the number of threads that
 /// `start` says. What it is given must outlive it.
 class OperatorSpeed {

@@ -51,6 +51,18 @@ const SpeedColumn difference = {
     "differs", 8, false,
     [](Record r) { return r.peer.empty() ? std::string() : fmt::format("{:.0e}", r.difference); }};
 
+/// A line of what `text` gives for each column.
+template <class Text>
+std::string table_line(const std::string& benchmark, const Text& text) {
+  std::string line;
+  for (const SpeedColumn& column : speed_columns(benchmark)) {
+    line += column.is_text ? fmt::format("{:<{}} ", text(column), column.width)
+                           : fmt::format("{:>{}} ", text(column), column.width);
+  }
+  line.back() = '\n';
+  return line;
+}
+
 }  // namespace
 
 const Columns& speed_columns(const std::string& benchmark) {
@@ -69,23 +81,12 @@ const Columns& speed_columns(const std::string& benchmark) {
 }
 
 std::string speed_table_head(const std::string& benchmark) {
-  std::string line;
-  for (const SpeedColumn& column : speed_columns(benchmark)) {
-    line += column.is_text ? fmt::format("{:<{}} ", column.head, column.width)
-                           : fmt::format("{:>{}} ", column.head, column.width);
-  }
-  line.back() = '\n';
-  return line;
+  return table_line(benchmark, [](const SpeedColumn& column) { return column.head; });
 }
 
 std::string speed_table_line(const SpeedRecord& record) {
-  std::string line;
-  for (const SpeedColumn& column : speed_columns(record.benchmark)) {
-    line += column.is_text ? fmt::format("{:<{}} ", column.text(record), column.width)
-                           : fmt::format("{:>{}} ", column.text(record), column.width);
-  }
-  line.back() = '\n';
-  return line;
+  return table_line(record.benchmark,
+                    [&](const SpeedColumn& column) { return column.text(record); });
 }
 
 std::string size_text(std::size_t bytes) {
