@@ -111,17 +111,24 @@ PartGraph differentiated(ElementGraph& element, const EnergyPart& part) {
   return result;
 }
 
+struct ElementSize {
+  explicit ElementSize(const ElementGraph& whole)
+      : num_nodes(static_cast<int>(whole.nodal_volumes.size())),
+        dim(static_cast<int>(whole.positions.size()) / num_nodes),
+        num_points(static_cast<int>(whole.determinants.size())) {}
+  int num_nodes, dim, num_points;
+};
+
 class Builder {
  public:
   /// @param graph  of an element, or of one point of it
-  /// @param whole  the element
-  Builder(ElementGraph graph, const ElementGraph& whole, int num_points, Geometry geometry,
-          const Split& split, const Profile& profile, StageLog& log)
+  Builder(ElementGraph graph, const ElementSize& whole, Geometry geometry, const Split& split,
+          const Profile& profile, StageLog& log)
       : element_(std::move(graph)), split_(split), profile_(profile), log_(log) {
     kernels_.geometry = geometry;
-    kernels_.num_nodes = static_cast<int>(whole.nodal_volumes.size());
-    kernels_.dim = static_cast<int>(whole.positions.size()) / kernels_.num_nodes;
-    kernels_.num_points = num_points;
+    kernels_.num_nodes = whole.num_nodes;
+    kernels_.dim = whole.dim;
+    kernels_.num_points = whole.num_points;
     kernels_.dag = Dag(element_.dag.number_pool());
   }
 
@@ -162,9 +169,7 @@ class Builder {
     graph = group_stages(graph);
     geometry_.pieces.push_back(
         {copy_into(kernels_.dag, graph.dag, graph.roots), counting(measures.size())});
-    for (const NodeId node : whole.positions) {
-      node_positions_.push_back(whole.dag.symbol_name(node));
-    }
+    node_positions_ = names_of(whole.dag, whole.positions);
   }
 
   /// The maps between nodes and points. Shared pairs make the integration cheapest where it is the
@@ -179,13 +184,8 @@ class Builder {
       copy.roots = copy_into(copy.dag, whole.dag, roots);
       return simplified(std::move(copy), log_);
     };
-    const auto names = [&](const std::vector<NodeId>& nodes) {
-      std::vector<std::string> result;
-      for (const NodeId node : nodes) result.push_back(whole.dag.symbol_name(node));
-      return result;
-    };
     const Graph gradients = simplified_copy(graph.gradients);
-    loop.interpolate = map_of("interpolate", gradients, names(whole.displacement),
+    loop.interpolate = map_of("interpolate", gradients, names_of(whole.dag, whole.displacement),
                               Slot::displacement, Stage::state);
     std::vector<std::string> fluxes;
     const Graph nodal = transposed(gradients, graph, fluxes);
@@ -201,7 +201,7 @@ class Builder {
     energy.roots = {energy.dag.sum(std::move(densities))};
     loop.weigh = map_of("weigh", energy, density_names, Slot::displacement, Stage::state);
     if (graph.is_affine) {
-      loop.jacobian = map_of("jacobian", simplified_copy(graph.jacobians), names(whole.positions),
+      loop.jacobian = map_of("jacobian", simplified_copy(graph.jacobians), node_positions_,
                              Slot::position, Stage::rest);
     }
     end_stage("interpolate and integrate");
@@ -339,6 +339,9 @@ class Builder {
     end_stage("kernel_ast");
   }
 
+  /// What energies are of.
+  [[nodiscard]] const ElementGraph& element() const { return element_; }
+
   VariantKernels take() { return std::move(kernels_); }
 
  private:
@@ -438,11 +441,10 @@ class Builder {
 
 VariantKernels build_kernels(ElementGraph graph, Geometry geometry, const Split& split,
                              const Profile& profile, Grouping grouping, StageLog& log) {
-  const ElementGraph whole = graph;
-  const int num_points = static_cast<int>(whole.determinants.size());
-  Builder builder(std::move(graph), whole, num_points, geometry, split, profile, log);
+  const ElementSize size(graph);
+  Builder builder(std::move(graph), size, geometry, split, profile, log);
   builder.collect_pieces();
-  builder.collect_geometry(whole);
+  builder.collect_geometry(builder.element());
   builder.choose_what_is_stored(grouping);
   builder.schedule();
   return builder.take();
@@ -451,8 +453,8 @@ VariantKernels build_kernels(ElementGraph graph, Geometry geometry, const Split&
 VariantKernels build_point_kernels(PointwiseGraph graph, Geometry geometry, const Profile& profile,
                                    Grouping grouping, StageLog& log) {
   const Split unsplit;
-  Builder builder(std::move(graph.point), graph.whole, static_cast<int>(graph.weights.size()),
-                  geometry, unsplit, profile, log);
+  Builder builder(std::move(graph.point), ElementSize(graph.whole), geometry, unsplit, profile,
+                  log);
   builder.collect_pieces();
   builder.collect_geometry(graph.whole);
   builder.choose_what_is_stored(grouping);

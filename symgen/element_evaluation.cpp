@@ -52,15 +52,10 @@ Evaluation evaluate_in_double(const AssociationId& id, const Law& law, const Ele
 }  // namespace
 
 InputNames::InputNames(const ElementGraph& graph) {
-  const auto names = [&](const std::vector<NodeId>& nodes) {
-    std::vector<std::string> result;
-    for (const NodeId node : nodes) result.push_back(graph.dag.symbol_name(node));
-    return result;
-  };
-  positions_ = names(graph.positions);
-  parameters_ = names(graph.parameters);
-  displacement_ = names(graph.displacement);
-  direction_ = names(graph.direction);
+  positions_ = names_of(graph.dag, graph.positions);
+  parameters_ = names_of(graph.dag, graph.parameters);
+  displacement_ = names_of(graph.dag, graph.displacement);
+  direction_ = names_of(graph.dag, graph.direction);
 }
 
 ElementInputs InputNames::in(Dag& dag) const {

@@ -384,7 +384,6 @@ PointwiseGraph build_pointwise_graph(const Law& law, const EnergyDensity& energy
   whole.add_determinants();
   whole.add_volumes();
   PointwiseGraph result;
-  result.num_points = quadrature.num_points();
   result.is_affine = geometry != Geometry::general;
   result.jacobians = whole.jacobians();
   result.gradients = whole.displacement_gradients();
@@ -394,6 +393,12 @@ PointwiseGraph build_pointwise_graph(const Law& law, const EnergyDensity& energy
     result.weights.push_back(result.whole.dag.numbers().intern(exact_value(weight, {})));
   }
   return result;
+}
+
+std::vector<std::string> names_of(const Dag& dag, const std::vector<NodeId>& inputs) {
+  std::vector<std::string> names;
+  for (const NodeId input : inputs) names.push_back(dag.symbol_name(input));
+  return names;
 }
 
 std::vector<NodeId> domain_of(Dag& dag, NodeId energy) {

@@ -64,7 +64,6 @@ struct PointwiseGraph {
   /// Positions, displacement, direction and volumes of the element; no energies. Both graphs share
   /// their numbers.
   ElementGraph whole;
-  int num_points = 0;
   bool is_affine = false;         ///< the Jacobian is the same at all points
   std::vector<NodeId> gradients;  ///< in `whole`: G, [(g * dim + i) * dim + k]
   std::vector<NodeId> jacobians;  ///< in `whole`: J, likewise, or [i * dim + k] if affine
@@ -73,6 +72,9 @@ struct PointwiseGraph {
 [[nodiscard]] PointwiseGraph build_pointwise_graph(const Law& law, const EnergyDensity& energy,
                                                    const Element& element,
                                                    const Quadrature& quadrature, Geometry geometry);
+
+/// Of inputs.
+[[nodiscard]] std::vector<std::string> names_of(const Dag& dag, const std::vector<NodeId>& inputs);
 
 /// Where an energy is defined: values that must be positive, one for each logarithm and each root
 /// of something that depends on the displacement. Derivatives inherit the condition, not the
