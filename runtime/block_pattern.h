@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/element_group.h"
+#include "runtime/node_numbering.h"
 
 namespace elastogen {
 
@@ -14,8 +15,10 @@ namespace elastogen {
 /// in row (b, i) and column (a, j) is values[slot(a, b) + j * column_length(node of a) + i].
 class BlockPattern {
  public:
+  /// The matrix is in the mesh's numbers, whatever those of the groups.
   template <class Scalar>
-  BlockPattern(const std::vector<ElementGroup<Scalar>>& groups, std::size_t num_nodes, int dim);
+  BlockPattern(const std::vector<ElementGroup<Scalar>>& groups, const NodeNumbering& numbering,
+               std::size_t num_nodes, int dim);
 
   /// Gives a matrix this pattern with values 0; leaves a matrix that has it alone.
   void shape(Eigen::SparseMatrix<double>& matrix) const;
@@ -25,15 +28,14 @@ class BlockPattern {
   [[nodiscard]] const std::vector<std::int32_t>& slots(std::size_t group) const {
     return slots_[group];
   }
-  /// Numbers in one column of a node.
-  [[nodiscard]] std::int32_t column_length(std::size_t node) const {
-    return (block_begin_[node + 1] - block_begin_[node]) * dim_;
+  /// Values in one column of a node, which has the number that the groups give it.
+  [[nodiscard]] std::int32_t column_length(std::size_t number) const {
+    return column_lengths_[number];
   }
   [[nodiscard]] std::size_t num_values() const { return inner_.size(); }
 
  private:
-  int dim_;
-  std::vector<std::int32_t> block_begin_;         // [node]: first block of the node's columns
+  std::vector<std::int32_t> column_lengths_;      // [number of a node in the groups]
   std::vector<std::int32_t> outer_;               // compressed columns of the scalar matrix
   std::vector<std::int32_t> inner_;               // row of each value
   std::vector<std::vector<std::int32_t>> slots_;  // [group]

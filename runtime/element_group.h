@@ -19,7 +19,8 @@ namespace elastogen {
 ///
 /// Layout, with L = lanes, n = nodes of the element, d = dim:
 ///   elements   [batch * L + lane]                     element number in the mesh
-///   dofs       [(batch * n + a) * L + lane]           d * node: first degree of freedom
+///   dofs       [(batch * n + a) * L + lane]           d * node: first degree of freedom, in the
+///                                                     numbers of passes (node_numbering.h)
 ///   shape      [batch]                                set of positions and constants that all
 ///   lanes
 ///                                                     of the batch share (congruent_elements.h);

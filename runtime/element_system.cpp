@@ -62,16 +62,19 @@ void CompensatedSum::add(double value) {
 
 template <class Scalar>
 ElementSystem<Scalar>::ElementSystem(std::vector<ElementGroup<Scalar>> groups,
-                                     std::size_t num_nodes, int dim, int threads, bool two_stage)
+                                     std::size_t num_nodes, int dim, int threads, bool two_stage,
+                                     bool renumber)
     : num_nodes_(num_nodes),
       dim_(dim),
       groups_(std::move(groups)),
+      numbering_(renumber ? NodeNumbering(groups_, num_nodes) : NodeNumbering()),
       threads_(count_threads(threads, groups_)),
       shares_(plan_threads(groups_, threads_)),
       workspaces_(shares_.size(), Workspace<Scalar>(groups_, true)),
       statuses_(shares_.size()),
       sums_(shares_.size()),
       accumulator_(shares_, dim * dim) {
+  point_.assign(num_nodes_ * static_cast<std::size_t>(dim_), 0.0);
   for (ElementGroup<Scalar>& group : groups_) {
     compute_constants(group, threads_);
     if (!two_stage) continue;
@@ -99,15 +102,37 @@ ElementStatus ElementSystem<Scalar>::merged_status() const {
 
 template <class Scalar>
 StiffnessAssembly<Scalar>& ElementSystem<Scalar>::stiffness_assembly() {
-  if (!assembly_) assembly_.emplace(groups_, num_nodes_, dim_, threads_);
+  if (!assembly_) assembly_.emplace(groups_, numbering_, num_nodes_, dim_, threads_);
   return *assembly_;
+}
+
+// A vector of the mesh in the numbers of passes, until the next call.
+template <class Scalar>
+const double* ElementSystem<Scalar>::for_passes(const double* vector) {
+  if (numbering_.is_of_mesh()) return vector;
+  input_.resize(point_.size());
+  numbering_.copy_from_mesh(vector, dim_, threads_, input_.data());
+  return input_.data();
+}
+
+// out[node * values_per_node + i] += what the shares compute; `compute` as NodeAccumulator has it.
+template <class Scalar>
+template <class Compute>
+void ElementSystem<Scalar>::accumulate(int values_per_node, double* out, Compute&& compute) {
+  if (numbering_.is_of_mesh()) {
+    accumulator_.run(shares_, values_per_node, out, compute);
+    return;
+  }
+  sum_.assign(num_nodes_ * static_cast<std::size_t>(values_per_node), 0.0);
+  accumulator_.run(shares_, values_per_node, sum_.data(), compute);
+  numbering_.add_to_mesh(sum_.data(), values_per_node, threads_, out);
 }
 
 // Runs a pass whose kernels give numbers per element node: out += scale * their sum.
 template <class Scalar>
 ElementStatus ElementSystem<Scalar>::add_nodal(const ElementPass<Scalar>& pass, double scale,
                                                double* out) {
-  accumulator_.run(shares_, dim_, out, [&](int s, std::int32_t node_begin, double* array) {
+  accumulate(dim_, out, [&](int s, std::int32_t node_begin, double* array) {
     const std::size_t thread = static_cast<std::size_t>(s);
     ElementStatus first;
     for (const BatchRange& range : shares_[thread].ranges) {
@@ -148,7 +173,7 @@ ElementStatus ElementSystem<Scalar>::for_each_energy(const double* u, Consume&& 
   require(&VariantTable<Scalar>::energy, "energy");
   ElementPass<Scalar> pass;
   pass.kernel = &VariantTable<Scalar>::energy;
-  pass.displacement = u;
+  pass.displacement = for_passes(u);
   return for_each_share([&](std::size_t thread) {
     return run_pass(groups_, shares_[thread], pass, workspaces_[thread],
                     [&](auto, const ElementGroup<Scalar>& group, std::size_t batch,
@@ -187,15 +212,24 @@ ElementStatus ElementSystem<Scalar>::forces(const double* u, double* f) {
   require(&VariantTable<Scalar>::forces, "forces");
   ElementPass<Scalar> pass;
   pass.kernel = &VariantTable<Scalar>::forces;
-  pass.displacement = u;
+  pass.displacement = for_passes(u);
   return add_nodal(pass, 1, f);
 }
 
 template <class Scalar>
-ElementStatus ElementSystem<Scalar>::store_states(const double* u) {
+void ElementSystem<Scalar>::set_point(const double* u) {
+  if (numbering_.is_of_mesh()) {
+    std::copy_n(u, point_.size(), point_.data());
+  } else {
+    numbering_.copy_from_mesh(u, dim_, threads_, point_.data());
+  }
+}
+
+template <class Scalar>
+ElementStatus ElementSystem<Scalar>::store_states() {
   ElementPass<Scalar> pass;
   pass.kernel = &VariantTable<Scalar>::linearize;
-  pass.displacement = u;
+  pass.displacement = point_.data();
   return for_each_share([&](std::size_t thread) {
     ElementStatus first;
     for (const BatchRange& range : shares_[thread].ranges) {
@@ -213,41 +247,39 @@ ElementStatus ElementSystem<Scalar>::store_states(const double* u) {
 }
 
 template <class Scalar>
-ElementStatus ElementSystem<Scalar>::product(const double* u, const double* v, double scale,
-                                             double* df) {
+ElementStatus ElementSystem<Scalar>::product(const double* v, double scale, double* df) {
   require(&VariantTable<Scalar>::product, "product");
-  return add_nodal({&VariantTable<Scalar>::product, u, v}, scale, df);
+  return add_nodal({&VariantTable<Scalar>::product, point_.data(), for_passes(v)}, scale, df);
 }
 
 template <class Scalar>
 ElementStatus ElementSystem<Scalar>::apply(const double* v, double scale, double* df) {
-  return add_nodal({&VariantTable<Scalar>::apply, nullptr, v}, scale, df);
+  return add_nodal({&VariantTable<Scalar>::apply, nullptr, for_passes(v)}, scale, df);
 }
 
 template <class Scalar>
-ElementStatus ElementSystem<Scalar>::assemble(const double* u, TangentForm form,
+ElementStatus ElementSystem<Scalar>::assemble(TangentForm form,
                                               Eigen::SparseMatrix<double>& stiffness) {
   require(&VariantTable<Scalar>::stiffness, "stiffness");
   shape(stiffness);
-  return stiffness_assembly().run(groups_, u, form, stiffness.valuePtr());
+  return stiffness_assembly().run(groups_, point_.data(), form, stiffness.valuePtr());
 }
 
 template <class Scalar>
-ElementStatus ElementSystem<Scalar>::diagonal_blocks(const double* u, double* blocks) {
+ElementStatus ElementSystem<Scalar>::diagonal_blocks(double* blocks) {
   require(&VariantTable<Scalar>::stiffness, "stiffness");
   ElementPass<Scalar> pass;
   pass.kernel = &VariantTable<Scalar>::stiffness;
-  pass.displacement = u;
-  accumulator_.run(
-      shares_, dim_ * dim_, blocks, [&](int s, std::int32_t node_begin, double* array) {
-        const std::size_t thread = static_cast<std::size_t>(s);
-        statuses_[thread] = run_pass(groups_, shares_[thread], pass, workspaces_[thread],
-                                     [&](auto layout, const ElementGroup<Scalar>& group,
-                                         std::size_t batch, const Scalar* matrices) {
-                                       add_diagonal_blocks<decltype(layout)>(group, batch, matrices,
-                                                                             node_begin, array);
-                                     });
-      });
+  pass.displacement = point_.data();
+  accumulate(dim_ * dim_, blocks, [&](int s, std::int32_t node_begin, double* array) {
+    const std::size_t thread = static_cast<std::size_t>(s);
+    statuses_[thread] =
+        run_pass(groups_, shares_[thread], pass, workspaces_[thread],
+                 [&](auto layout, const ElementGroup<Scalar>& group, std::size_t batch,
+                     const Scalar* matrices) {
+                   add_diagonal_blocks<decltype(layout)>(group, batch, matrices, node_begin, array);
+                 });
+  });
   return merged_status();
 }
 

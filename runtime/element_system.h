@@ -9,6 +9,7 @@
 #include "runtime/element_group.h"
 #include "runtime/element_pass.h"
 #include "runtime/element_status.h"
+#include "runtime/node_numbering.h"
 #include "runtime/stiffness_assembly.h"
 #include "runtime/tangent.h"
 #include "runtime/thread_plan.h"
@@ -33,10 +34,12 @@ class ElementSystem {
   /// Computes grouped constants.
   /// @param threads    0: as many as OpenMP offers and the elements' work pays for
   /// @param two_stage  whether to keep room for the states of store_states()
+  /// @param renumber   whether passes number nodes as the batches come to them
   ElementSystem(std::vector<ElementGroup<Scalar>> groups, std::size_t num_nodes, int dim,
-                int threads, bool two_stage);
+                int threads, bool two_stage, bool renumber);
 
   [[nodiscard]] const std::vector<ElementGroup<Scalar>>& groups() const { return groups_; }
+  [[nodiscard]] const NodeNumbering& numbering() const { return numbering_; }
   [[nodiscard]] int num_threads() const { return threads_; }
 
   /// energy = W(u)
@@ -45,24 +48,29 @@ class ElementSystem {
   ElementStatus element_energies(const double* u, double* energies);
   /// f += -dW/dU at u
   ElementStatus forces(const double* u, double* f);
-  /// Keeps the states about u that apply() reads.
-  ElementStatus store_states(const double* u);
-  /// df -= scale * K v with K at u
-  ElementStatus product(const double* u, const double* v, double scale, double* df);
-  /// The same with K where store_states() was called last.
+  /// Makes u, which is copied, the point of what follows; at first it is 0.
+  void set_point(const double* u);
+  /// df -= scale * K v
+  ElementStatus product(const double* v, double scale, double* df);
+  /// Keeps the states that apply() reads.
+  ElementStatus store_states();
+  /// df -= scale * K v with K where store_states() was called last.
   ElementStatus apply(const double* v, double scale, double* df);
-  /// K at u. The matrix's pattern is made at the first call, and filled in place afterwards.
-  ElementStatus assemble(const double* u, TangentForm form, Eigen::SparseMatrix<double>& stiffness);
+  /// The matrix's pattern is made at the first call, and filled in place afterwards.
+  ElementStatus assemble(TangentForm form, Eigen::SparseMatrix<double>& stiffness);
   /// Gives a matrix the pattern of assemble().
   void shape(Eigen::SparseMatrix<double>& stiffness) {
     stiffness_assembly().pattern().shape(stiffness);
   }
-  /// blocks[(node * dim + i) * dim + j] += the block of K at u
-  ElementStatus diagonal_blocks(const double* u, double* blocks);
+  /// blocks[(node * dim + i) * dim + j] += the block of K
+  ElementStatus diagonal_blocks(double* blocks);
 
  private:
   void require(KernelFunction<Scalar> VariantTable<Scalar>::*kernel, const char* name) const;
   ElementStatus add_nodal(const ElementPass<Scalar>& pass, double scale, double* out);
+  template <class Compute>
+  void accumulate(int values_per_node, double* out, Compute&& compute);
+  [[nodiscard]] const double* for_passes(const double* vector);
   template <class Compute>
   ElementStatus for_each_share(Compute&& compute);
   template <class Consume>
@@ -73,7 +81,10 @@ class ElementSystem {
   std::size_t num_nodes_;
   int dim_;
   std::vector<ElementGroup<Scalar>> groups_;
+  NodeNumbering numbering_;
   int threads_;
+  AlignedVector<double> point_;                // in the numbers of passes; so the two
+  AlignedVector<double> input_, sum_;          // that only renumbered passes need
   std::vector<ThreadShare> shares_;            // [thread]
   std::vector<Workspace<Scalar>> workspaces_;  // [thread]
   std::vector<ElementStatus> statuses_;        // [thread]

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -56,86 +57,44 @@ std::uint64_t place(const Mesh& mesh, std::span<const std::int32_t> nodes, const
   return code;
 }
 
-/// Values of each node from one place to another: `move(new, old)` are these, target first.
-template <class Move>
-Vector moved(const MeshOrder& order, const ConstVectorRef& vector, Move&& move) {
-  Vector result(vector.size());
-  const auto dim = vector.size() / static_cast<Eigen::Index>(order.nodes.size());
-  for (std::size_t k = 0; k < order.nodes.size(); ++k) {
-    const auto at_new = dim * static_cast<Eigen::Index>(k);
-    const auto at_old = dim * static_cast<Eigen::Index>(order.nodes[k]);
-    const auto [to, from] = move(at_new, at_old);
-    result.segment(to, dim) = vector.segment(from, dim);
-  }
-  return result;
-}
-
 }  // namespace
 
-MeshOrder order_along_curve(const Mesh& mesh) {
+bool is_scattered(const Mesh& mesh, std::span<const ModelPart> parts) {
+  // A cache of 256 KiB in lines of 64 bytes, each of which has one place.
+  constexpr std::size_t num_lines = 4096;
+  constexpr std::size_t numbers_per_line = 8;
+  std::vector<std::size_t> line_at(num_lines, static_cast<std::size_t>(-1));
+  std::size_t num_reads = 0;
+  for (const ModelPart& part : parts) {
+    const ElementBlock& block = mesh.blocks[part.block];
+    for (const std::int32_t e : part.elements) {
+      for (const std::int32_t node : block.element_nodes(static_cast<std::size_t>(e))) {
+        const std::size_t line =
+            static_cast<std::size_t>(node) * static_cast<std::size_t>(mesh.dim) / numbers_per_line;
+        if (line_at[line % num_lines] == line) continue;
+        line_at[line % num_lines] = line;
+        ++num_reads;
+      }
+    }
+  }
+  return num_reads > 2 * mesh.num_nodes();
+}
+
+std::vector<ModelPart> along_curve(const Mesh& mesh, std::span<const ModelPart> parts) {
   const BoundingBox box = bounding_box(mesh);
-  MeshOrder order;
-  std::vector<bool> is_placed(mesh.num_nodes(), false);
-  const auto place_node = [&](std::int32_t node) {
-    if (is_placed[static_cast<std::size_t>(node)]) return;
-    is_placed[static_cast<std::size_t>(node)] = true;
-    order.nodes.push_back(node);
-  };
-  std::int32_t first = 0;  // element of the block
-  for (const ElementBlock& block : mesh.blocks) {
-    std::vector<std::pair<std::uint64_t, std::int32_t>> places;
-    for (std::size_t e = 0; e < block.num_elements(); ++e) {
-      places.emplace_back(place(mesh, block.element_nodes(e), box), static_cast<std::int32_t>(e));
+  std::vector<ModelPart> result(parts.begin(), parts.end());
+  std::vector<std::pair<std::uint64_t, std::int32_t>> places;
+  for (ModelPart& part : result) {
+    const ElementBlock& block = mesh.blocks[part.block];
+    places.clear();
+    for (const std::int32_t e : part.elements) {
+      places.emplace_back(place(mesh, block.element_nodes(static_cast<std::size_t>(e)), box), e);
     }
     std::sort(places.begin(), places.end());
-    for (const auto& [code, e] : places) {
-      order.elements.push_back(first + e);
-      for (const std::int32_t node : block.element_nodes(static_cast<std::size_t>(e))) {
-        place_node(node);
-      }
-    }
-    first += static_cast<std::int32_t>(block.num_elements());
-  }
-  for (std::size_t node = 0; node < mesh.num_nodes(); ++node) {
-    place_node(static_cast<std::int32_t>(node));
-  }
-  return order;
-}
-
-Mesh reordered(const Mesh& mesh, const MeshOrder& order) {
-  Mesh result = mesh;
-  const auto dim = static_cast<std::size_t>(mesh.dim);
-  std::vector<std::int32_t> new_number(mesh.num_nodes());
-  for (std::size_t k = 0; k < order.nodes.size(); ++k) {
-    const auto old = static_cast<std::size_t>(order.nodes[k]);
-    new_number[old] = static_cast<std::int32_t>(k);
-    for (std::size_t i = 0; i < dim; ++i) {
-      result.positions[dim * k + i] = mesh.positions[dim * old + i];
-    }
-  }
-  std::size_t first = 0;
-  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
-    const ElementBlock& block = mesh.blocks[b];
-    ElementBlock& target = result.blocks[b];
-    target.nodes.clear();
-    for (std::size_t e = 0; e < block.num_elements(); ++e) {
-      const std::size_t old = static_cast<std::size_t>(order.elements[first + e]) - first;
-      target.region[e] = block.region[old];
-      for (const std::int32_t node : block.element_nodes(old)) {
-        target.nodes.push_back(new_number[static_cast<std::size_t>(node)]);
-      }
-    }
-    first += block.num_elements();
+    std::transform(places.begin(), places.end(), part.elements.begin(),
+                   [](const auto& placed) { return placed.second; });
   }
   return result;
-}
-
-Vector to_order(const MeshOrder& order, const ConstVectorRef& vector) {
-  return moved(order, vector, [](auto at_new, auto at_old) { return std::pair(at_new, at_old); });
-}
-
-Vector from_order(const MeshOrder& order, const ConstVectorRef& vector) {
-  return moved(order, vector, [](auto at_new, auto at_old) { return std::pair(at_old, at_new); });
 }
 
 }  // namespace elastogen

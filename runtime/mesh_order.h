@@ -1,35 +1,27 @@
-// Orders of nodes and elements in which passes over a mesh read memory once.
+// The order in which passes over a mesh come to its elements.
 //
 // A pass gathers and adds at the nodes of one element after the other. Where neighbours in the body
 // are far apart in memory, as in meshes whose generator numbered them as they arose, a million
-// tetrahedra take twice to three times as long, ten million nine times (docs/speed.md).
+// tetrahedra take three times as long, ten million nine times (docs/speed.md).
 #pragma once
 
-#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "runtime/mesh.h"
-#include "runtime/vector.h"
+#include "runtime/model.h"
 
 namespace elastogen {
 
-/// Which node and which element comes at each place. Elements stay in their blocks.
-struct MeshOrder {
-  std::vector<std::int32_t> nodes;     ///< [new] = old number
-  std::vector<std::int32_t> elements;  ///< [new] = old number, through the blocks
-};
+/// Whether passes over the parts' elements, in their order, read nodes anew, after these have left
+/// a second cache, more than twice for every node of the mesh. Ordered meshes read each line of
+/// eight numbers once or a little more; those of mesh generators were seen to read 3 to 11 lines
+/// per node.
+[[nodiscard]] bool is_scattered(const Mesh& mesh, std::span<const ModelPart> parts);
 
-/// Elements along a Z-order curve through the bounding box (G. M. Morton, A computer oriented
-/// geodetic data base and a new technique in file sequencing, 1966), nodes as the elements come to
-/// them; nodes of no element last.
-[[nodiscard]] MeshOrder order_along_curve(const Mesh& mesh);
-
-/// The same body in another order.
-[[nodiscard]] Mesh reordered(const Mesh& mesh, const MeshOrder& order);
-
-/// A vector of the mesh for the reordered one.
-[[nodiscard]] Vector to_order(const MeshOrder& order, const ConstVectorRef& vector);
-/// And back.
-[[nodiscard]] Vector from_order(const MeshOrder& order, const ConstVectorRef& vector);
+/// The parts with their elements along a Z-order curve through the bounding box (G. M. Morton, A
+/// computer oriented geodetic data base and a new technique in file sequencing, 1966).
+[[nodiscard]] std::vector<ModelPart> along_curve(const Mesh& mesh,
+                                                 std::span<const ModelPart> parts);
 
 }  // namespace elastogen

@@ -11,6 +11,7 @@
 #include "runtime/element_group.h"
 #include "runtime/element_system.h"
 #include "runtime/error.h"
+#include "runtime/mesh_order.h"
 #include "runtime/model_parts.h"
 #include "runtime/rest_geometry.h"
 
@@ -108,11 +109,11 @@ struct Model::Data {
   std::size_t num_elements = 0;
   ModelOptions options;
   int threads = 1;
+  bool reordered = false;
   std::optional<ElementSystem<double>> in_double;  // unless single precision
   std::optional<ElementSystem<float>> in_single;   // unless double precision
   Eigen::SparseMatrix<double> stiffness;           // where has_stiffness()
   TangentForm form = TangentForm::exact;
-  Vector displacement;  // linearisation point
   std::vector<double> element_volumes, nodal_volumes, nodal_mass, lumped_mass;
   ElementStatus status;
 
@@ -138,7 +139,7 @@ struct Model::Data {
   void make_system(std::optional<ElementSystem<Scalar>>& system,
                    std::vector<ElementGroup<Scalar>> groups, bool has_tangent) {
     const bool two_stage = has_tangent && options.tangent_product == TangentProduct::two_stage;
-    system.emplace(std::move(groups), num_nodes, dim, threads, two_stage);
+    system.emplace(std::move(groups), num_nodes, dim, threads, two_stage, reordered);
     threads = system->num_threads();
   }
 
@@ -149,8 +150,7 @@ struct Model::Data {
   }
 
   void assemble(Eigen::SparseMatrix<double>& matrix) {
-    status = with_tangent(
-        [&](auto& elements) { return elements.assemble(displacement.data(), form, matrix); });
+    status = with_tangent([&](auto& elements) { return elements.assemble(form, matrix); });
   }
 
   void add_assembled_product(const double* v, double scale, double* df) const {
@@ -162,13 +162,18 @@ struct Model::Data {
   }
 };
 
-Model::Model(const Mesh& mesh, std::span<const ModelPart> parts, const ModelOptions& options)
+Model::Model(const Mesh& mesh, std::span<const ModelPart> given_parts, const ModelOptions& options)
     : data_(std::make_unique<Data>()) {
   Data& d = *data_;
   d.options = options;
   d.threads = options.threads;
   const bool mixed = options.precision == Precision::mixed;
-  check_parts(mesh, parts, options);
+  check_parts(mesh, given_parts, options);
+  d.reordered = options.reorder && is_scattered(mesh, given_parts);
+  std::vector<ModelPart> parts_along_curve;
+  if (d.reordered) parts_along_curve = along_curve(mesh, given_parts);
+  const std::span<const ModelPart> parts =
+      d.reordered ? std::span<const ModelPart>(parts_along_curve) : given_parts;
   std::vector<ElementGroup<double>> groups =
       make_element_groups<double>(mesh, parts, options.share_constants);
   d.dim = mesh.dim;
@@ -189,8 +194,9 @@ Model::Model(const Mesh& mesh, std::span<const ModelPart> parts, const ModelOpti
     d.make_system(d.in_single, make_element_groups<float>(mesh, parts, options.share_constants),
                   true);
   }
-  d.displacement = Vector::Zero(static_cast<Eigen::Index>(d.num_dofs()));
-  if (options.tangent_product != TangentProduct::recompute) linearize(Vector(d.displacement));
+  if (options.tangent_product != TangentProduct::recompute) {
+    linearize(Vector::Zero(static_cast<Eigen::Index>(d.num_dofs())));
+  }
 }
 
 Model::~Model() = default;
@@ -204,6 +210,7 @@ std::size_t Model::num_elements() const { return data_->num_elements; }
 int Model::num_threads() const { return data_->threads; }
 TangentProduct Model::tangent_product() const { return data_->options.tangent_product; }
 Precision Model::precision() const { return data_->options.precision; }
+bool Model::is_reordered() const { return data_->reordered; }
 const ElementStatus& Model::status() const { return data_->status; }
 std::span<const double> Model::element_volumes() const { return data_->element_volumes; }
 std::span<const double> Model::nodal_volumes() const { return data_->nodal_volumes; }
@@ -241,14 +248,13 @@ void Model::forces(const ConstVectorRef& u, VectorRef f) {
 void Model::linearize(const ConstVectorRef& u, TangentForm form) {
   Data& d = *data_;
   d.check_length(u.size(), "the displacement");
-  d.displacement = u;
   d.form = form;
   d.status = {};
+  d.with_tangent([&](auto& elements) { elements.set_point(u.data()); });
   if (d.has_stiffness()) {
     d.assemble(d.stiffness);
   } else if (tangent_product() == TangentProduct::two_stage) {
-    d.status = d.with_tangent(
-        [&](auto& elements) { return elements.store_states(d.displacement.data()); });
+    d.status = d.with_tangent([](auto& elements) { return elements.store_states(); });
   }
 }
 
@@ -258,9 +264,8 @@ void Model::product(const ConstVectorRef& v, double scale, VectorRef df) {
   d.check_length(df.size(), "the product");
   switch (d.has_stiffness() ? TangentProduct::assembled : tangent_product()) {
     case TangentProduct::recompute:
-      d.status = d.with_tangent([&](auto& elements) {
-        return elements.product(d.displacement.data(), v.data(), scale, df.data());
-      });
+      d.status = d.with_tangent(
+          [&](auto& elements) { return elements.product(v.data(), scale, df.data()); });
       break;
     case TangentProduct::two_stage:
       d.status = d.with_tangent(
@@ -297,9 +302,8 @@ void Model::diagonal_blocks(std::vector<double>& blocks) {
     }
     return;
   }
-  d.status = d.with_tangent([&](auto& elements) {
-    return elements.diagonal_blocks(d.displacement.data(), blocks.data());
-  });
+  d.status =
+      d.with_tangent([&](auto& elements) { return elements.diagonal_blocks(blocks.data()); });
 }
 
 std::string Model::describe(const ElementStatus& status) const {
@@ -308,7 +312,8 @@ std::string Model::describe(const ElementStatus& status) const {
     std::size_t k = 0;
     const auto* group = find_element(elements.groups(), status.element, k);
     if (!group) throw InternalError(fmt::format("no element {} in the model", status.element));
-    return fmt::format("{}: {}", element_text(*group, k), status_text(status.flags));
+    return fmt::format("{}: {}", element_text(*group, elements.numbering(), k),
+                       status_text(status.flags));
   });
 }
 

@@ -55,6 +55,10 @@ struct ModelOptions {
   /// constants where most elements do: less memory to read, and results that differ by about as
   /// much.
   bool share_constants = true;
+  /// Where neighbours stand far apart in memory (mesh_order.h), passes take elements along a curve
+  /// through the body and work on copies of the vectors in its order. Results differ by the order
+  /// of summation; numbers of nodes and elements stay those of the mesh.
+  bool reorder = true;
 };
 
 /// Elements that are computed by the same kernels: one part and one geometry variant, those that
@@ -109,6 +113,8 @@ class Model {
   [[nodiscard]] int num_threads() const;
   [[nodiscard]] TangentProduct tangent_product() const;
   [[nodiscard]] Precision precision() const;
+  /// Whether the mesh was found scattered and passes go along a curve (ModelOptions::reorder).
+  [[nodiscard]] bool is_reordered() const;
 
   /// Rounding unit of the elements' energies and forces: 2.2e-16 or 1.2e-7.
   [[nodiscard]] double epsilon() const;

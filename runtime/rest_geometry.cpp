@@ -77,7 +77,7 @@ struct BadShape {
   throw InputError(fmt::format(
       "{}: its rest shape is {}: the Jacobian determinant at quadrature point {} of {} is {:.6g}, "
       "must be greater than {:.2g}; {}",
-      element_text(group, bad.k), inverted ? "inverted" : "degenerate", bad.point + 1,
+      element_text(group, {}, bad.k), inverted ? "inverted" : "degenerate", bad.point + 1,
       group.table->num_points, bad.determinant, bad.smallest,
       inverted ? "list its nodes in the order of the element's definition, or repair the mesh"
                : "move its nodes apart, or remove it from the mesh"));
@@ -212,19 +212,21 @@ void measure_rest_shapes(const ElementGroup<double>& group, const Mesh& mesh,
 }
 
 template <class Scalar>
-std::string element_text(const ElementGroup<Scalar>& group, std::size_t k) {
+std::string element_text(const ElementGroup<Scalar>& group, const NodeNumbering& numbering,
+                         std::size_t k) {
   const std::size_t lanes = static_cast<std::size_t>(group.lanes);
   const std::size_t nodes = static_cast<std::size_t>(group.num_nodes);
   std::string list;
   for (std::size_t a = 0; a < nodes; ++a) {
-    list += fmt::format(" {}", group.dofs[(k / lanes * nodes + a) * lanes + k % lanes] / group.dim);
+    const std::int32_t dof = group.dofs[(k / lanes * nodes + a) * lanes + k % lanes];
+    list += fmt::format(" {}", numbering.node_of_mesh(dof / group.dim));
   }
   return fmt::format("element {} ({}, nodes{})", group.elements[k], group.table->element, list);
 }
 
 template const VariantTable<double>* find_variant(const KernelTable<double>&, const std::string&);
 template const VariantTable<float>* find_variant(const KernelTable<float>&, const std::string&);
-template std::string element_text(const ElementGroup<double>&, std::size_t);
-template std::string element_text(const ElementGroup<float>&, std::size_t);
+template std::string element_text(const ElementGroup<double>&, const NodeNumbering&, std::size_t);
+template std::string element_text(const ElementGroup<float>&, const NodeNumbering&, std::size_t);
 
 }  // namespace elastogen

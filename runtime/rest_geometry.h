@@ -8,6 +8,7 @@
 
 #include "runtime/element_group.h"
 #include "runtime/mesh.h"
+#include "runtime/node_numbering.h"
 
 namespace elastogen {
 
@@ -45,14 +46,15 @@ struct RestMeasures {
 };
 
 /// Fills the measures from the group's positions.
-/// @param mesh  that the group is of
+/// @param mesh  that the group is of, in whose numbers it is
 /// @throws InputError  naming the group's first element whose Jacobian determinant is not above
 ///                     rounding at a quadrature point
 void measure_rest_shapes(const ElementGroup<double>& group, const Mesh& mesh,
                          RestMeasures measures);
 
-/// "element 17 (tet4, nodes 3 8 9 12)", lane `k` of the group; numbers from 0.
+/// "element 17 (tet4, nodes 3 8 9 12)", lane `k` of the group; the mesh's numbers, from 0.
 template <class Scalar>
-[[nodiscard]] std::string element_text(const ElementGroup<Scalar>& group, std::size_t k);
+[[nodiscard]] std::string element_text(const ElementGroup<Scalar>& group,
+                                       const NodeNumbering& numbering, std::size_t k);
 
 }  // namespace elastogen

@@ -42,9 +42,10 @@ void project_batch(const ElementGroup<Scalar>& group, std::size_t batch, Scalar*
 
 template <class Scalar>
 StiffnessAssembly<Scalar>::StiffnessAssembly(const std::vector<ElementGroup<Scalar>>& groups,
-                                             std::size_t num_nodes, int dim, int threads)
+                                             const NodeNumbering& numbering, std::size_t num_nodes,
+                                             int dim, int threads)
     : threads_(threads),
-      pattern_(groups, num_nodes, dim),
+      pattern_(groups, numbering, num_nodes, dim),
       workspaces_(static_cast<std::size_t>(threads), Workspace<Scalar>(groups, false)),
       matrices_(std::max(numbers_per_thread<Scalar>, largest_matrix_batch(groups)) *
                 static_cast<std::size_t>(threads)) {}

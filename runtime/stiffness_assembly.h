@@ -16,11 +16,12 @@ namespace elastogen {
 template <class Scalar>
 class StiffnessAssembly {
  public:
-  StiffnessAssembly(const std::vector<ElementGroup<Scalar>>& groups, std::size_t num_nodes, int dim,
-                    int threads);
+  StiffnessAssembly(const std::vector<ElementGroup<Scalar>>& groups, const NodeNumbering& numbering,
+                    std::size_t num_nodes, int dim, int threads);
 
   [[nodiscard]] const BlockPattern& pattern() const { return pattern_; }
 
+  /// @param displacement  in the groups' numbers
   /// @param form  semidefinite: of the elements' matrices projected one by one; those of bad
   ///              elements are left alone
   /// @return the first bad element

@@ -190,10 +190,10 @@ void add_scaling(CLI::App& bench, Context& context) {
   CLI::App* sub = bench.add_subcommand(
       "scaling", "Time per element by number of elements, their order in memory, and threads");
   sub->footer(
-      "natural: as a bar is cut; random: nodes and elements numbered without thought; reordered:\n"
-      "these along a space-filling curve (runtime/mesh_order.h). One thread and all (--threads "
-      "before\n"
-      "the command). Sizes that would not fit into memory are left out.\n"
+      "natural: as a bar is cut; random: nodes and elements numbered without thought, and\n"
+      "passed over so; reordered: the same mesh as models take it, along a space-filling curve\n"
+      "(ModelOptions::reorder). One thread and all (--threads before the command). Sizes that\n"
+      "would not fit into memory are left out.\n"
       "Example:\n"
       "  elastogen bench scaling stvk-tet4-q1-none --elements 100000 1000000 --order natural");
   add_common_options(*sub, *command);

@@ -99,7 +99,10 @@ void write_vtu(const std::filesystem::path& file, const Mesh& mesh, const VtuFie
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(grid);
   writer->WriteToOutputStringOn();
-  writer->SetCompressorTypeToLZ4();  // zlib takes as long as the step that is written
+  // zlib and base 64 take longer than the step that is written.
+  writer->SetCompressorTypeToLZ4();
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
   if (writer->Write() != 1) {
     throw WorkError(fmt::format("{}: VTK cannot write this mesh", file.string()));
   }

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <numeric>
-#include <random>
 
-#include "runtime/mesh_order.h"
 #include "selector/bench/speed/operator_speed.h"
 #include "selector/bench/speed/speed_mesh.h"
 
@@ -19,25 +16,6 @@ std::vector<std::size_t> usual_sizes(const std::string& element) {
     return {1000, 10000, 100000, 1000000, 10000000};
   }
   return {1000, 10000, 100000, 1000000};
-}
-
-/// As a mesh whose nodes and elements were numbered without thought.
-MeshOrder random_order(const Mesh& mesh) {
-  MeshOrder order;
-  order.nodes.resize(mesh.num_nodes());
-  order.elements.resize(mesh.num_elements());
-  std::mt19937 generator(3);
-  for (std::vector<std::int32_t>* numbers : {&order.nodes, &order.elements}) {
-    std::iota(numbers->begin(), numbers->end(), 0);
-    std::shuffle(numbers->begin(), numbers->end(), generator);  // one block: all may change places
-  }
-  return order;
-}
-
-Mesh in_order(const Mesh& mesh, const std::string& order) {
-  if (order == "natural") return mesh;
-  Mesh random = reordered(mesh, random_order(mesh));
-  return order == "random" ? random : reordered(random, order_along_curve(random));
 }
 
 /// Bytes of memory that programs may still take; the system's own figure.
@@ -63,7 +41,7 @@ void measure_mesh(const AssociationKernels& kernels, const std::string& shape, s
   const Mesh natural = make_speed_mesh(kernels.id, size, shape == "distorted");
   SpeedRecord record = record_on_mesh("scaling", kernels, natural, shape);
   for (const std::string& order : options.orders) {
-    const Mesh mesh = in_order(natural, order);
+    const Mesh mesh = order == "natural" ? natural : shuffled(natural);
     for (const int threads : options.threads) {
       options.tell(fmt::format("{} on {} {} elements in {} order, {} {}", record.association,
                                record.elements, shape, order, threads,

@@ -52,6 +52,7 @@ Model OperatorSpeed::make_model(TangentProduct product) const {
   ModelOptions options;
   options.threads = start_.threads;
   options.tangent_product = product;
+  options.reorder = start_.order != "random";
   if (start_.precision == "single") {
     part.single_kernels = &kernels_.in_single.table<float>();
     options.precision = Precision::single_precision;

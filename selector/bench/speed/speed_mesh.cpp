@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "selector/scene/bar_mesh.h"
@@ -46,6 +47,31 @@ Mesh make_speed_mesh(const symgen::AssociationId& association, std::size_t eleme
   Mesh mesh = make_bar(bar).mesh;
   if (distorted) distort(mesh, std::min(1.0 / n, length / along));
   return mesh;
+}
+
+Mesh shuffled(const Mesh& mesh) {
+  std::mt19937 generator(3);
+  const auto random_numbers = [&](std::size_t count) {
+    std::vector<std::int32_t> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    std::shuffle(numbers.begin(), numbers.end(), generator);
+    return numbers;
+  };
+  const auto dim = static_cast<std::size_t>(mesh.dim);
+  const std::vector<std::int32_t> new_node = random_numbers(mesh.num_nodes());
+  Mesh result = mesh;
+  for (std::size_t k = 0; k < mesh.positions.size(); ++k) {
+    result.positions[dim * static_cast<std::size_t>(new_node[k / dim]) + k % dim] =
+        mesh.positions[k];
+  }
+  ElementBlock& block = result.blocks.front();
+  block.nodes.clear();
+  for (const std::int32_t e : random_numbers(mesh.num_elements())) {
+    for (const std::int32_t node : mesh.blocks.front().element_nodes(static_cast<std::size_t>(e))) {
+      block.nodes.push_back(new_node[static_cast<std::size_t>(node)]);
+    }
+  }
+  return result;
 }
 
 Vector bent(const Mesh& mesh) {

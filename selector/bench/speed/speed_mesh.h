@@ -16,6 +16,9 @@ namespace elastogen::selector {
 [[nodiscard]] Mesh make_speed_mesh(const symgen::AssociationId& association, std::size_t elements,
                                    bool distorted);
 
+/// The same body with its nodes and elements numbered at random, in one way only. Of one block.
+[[nodiscard]] Mesh shuffled(const Mesh& mesh);
+
 /// A smooth displacement of about a tenth of strain.
 [[nodiscard]] Vector bent(const Mesh& mesh);
 

@@ -1,10 +1,11 @@
-// Orders of nodes and elements: that they are permutations, and bring neighbours together.
+// Meshes that were numbered without thought: found, and computed along a curve with the same
+// results at the same nodes and elements.
 #include "runtime/mesh_order.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <random>
 #include <vector>
@@ -14,91 +15,151 @@
 namespace elastogen::test {
 namespace {
 
-MeshOrder random_order(const Mesh& mesh) {
-  MeshOrder order;
-  order.nodes.resize(mesh.num_nodes());
-  order.elements.resize(mesh.num_elements());
+/// The same body with nodes and elements at random.
+Mesh shuffled(const Mesh& mesh) {
   std::mt19937 generator(1);
-  for (std::vector<std::int32_t>* numbers : {&order.nodes, &order.elements}) {
+  std::vector<std::int32_t> node(mesh.num_nodes()), element(mesh.num_elements());
+  for (auto* numbers : {&node, &element}) {
     std::iota(numbers->begin(), numbers->end(), 0);
     std::shuffle(numbers->begin(), numbers->end(), generator);
   }
-  return order;
-}
-
-bool is_permutation_of_count(std::vector<std::int32_t> numbers, std::size_t count) {
-  std::sort(numbers.begin(), numbers.end());
-  std::vector<std::int32_t> expected(count);
-  std::iota(expected.begin(), expected.end(), 0);
-  return numbers == expected;
-}
-
-/// Mean distance of the node numbers of consecutive elements.
-double mean_jump(const Mesh& mesh) {
-  double sum = 0;
-  std::size_t count = 0;
-  for (const ElementBlock& block : mesh.blocks) {
-    for (std::size_t e = 1; e < block.num_elements(); ++e, ++count) {
-      sum += std::abs(block.element_nodes(e)[0] - block.element_nodes(e - 1)[0]);
+  Mesh result = mesh;
+  for (std::size_t k = 0; k < mesh.positions.size(); ++k) {
+    result.positions[3 * static_cast<std::size_t>(node[k / 3]) + k % 3] = mesh.positions[k];
+  }
+  result.blocks[0].nodes.clear();
+  for (const std::int32_t e : element) {
+    for (const std::int32_t a : mesh.blocks[0].element_nodes(static_cast<std::size_t>(e))) {
+      result.blocks[0].nodes.push_back(node[static_cast<std::size_t>(a)]);
     }
   }
-  return sum / static_cast<double>(count);
+  return result;
 }
 
-Vector forces_on(const Mesh& mesh, const Vector& displacement) {
+/// More nodes than fit into a second cache.
+Mesh large_bar(const std::string& element) { return bar_mesh(element, {40, 17, 17}, {3, 1, 1}); }
+
+struct Results {
+  Vector forces, product;
+  double energy = 0;
+  std::vector<double> element_energies, blocks;
+  Eigen::SparseMatrix<double> stiffness;
+};
+
+Results results_of(Model& model, const Vector& u, const Vector& v) {
+  Results r;
+  r.forces = Vector::Zero(u.size());
+  r.product = Vector::Zero(u.size());
+  model.forces(u, r.forces);
+  r.energy = model.energy(u);
+  model.element_energies(u, r.element_energies);
+  model.linearize(u);
+  model.product(v, 2.0, r.product);
+  model.diagonal_blocks(r.blocks);
+  model.assemble(r.stiffness);
+  return r;
+}
+
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  const Eigen::Map<const Vector> x(a.data(), static_cast<Eigen::Index>(a.size()));
+  const Eigen::Map<const Vector> y(b.data(), static_cast<Eigen::Index>(b.size()));
+  return (x - y).norm() / y.norm();
+}
+
+class ReorderedModel : public testing::TestWithParam<ModelOptions> {};
+
+TEST_P(ReorderedModel, GivesTheSameAtTheSameNodesAndElements) {
+  const Mesh mesh = shuffled(large_bar("tet4"));
   const auto table = ReferenceKernels<Tet4, 8, false>::table();
-  Model model(mesh, one_part(mesh, table), {.threads = 1});
-  Vector forces = Vector::Zero(displacement.size());
-  model.forces(displacement, forces);
-  return forces;
-}
+  ModelOptions options = GetParam();
+  options.share_constants = false;  // or a shape's constants are those of another element
+  Model along(mesh, one_part(mesh, table), options);
+  options.reorder = false;
+  Model plain(mesh, one_part(mesh, table), options);
+  ASSERT_TRUE(along.is_reordered());
+  ASSERT_FALSE(plain.is_reordered());
 
-TEST(MeshOrder, AlongTheCurveBringsNeighboursTogetherAgain) {
-  const Mesh natural = bar_mesh("tet4", {24, 6, 6}, {4, 1, 1});
-  const Mesh random = reordered(natural, random_order(natural));
-  const MeshOrder order = order_along_curve(random);
-  ASSERT_TRUE(is_permutation_of_count(order.nodes, natural.num_nodes()));
-  ASSERT_TRUE(is_permutation_of_count(order.elements, natural.num_elements()));
-  EXPECT_LT(mean_jump(reordered(random, order)), 0.1 * mean_jump(random));
-}
-
-TEST(MeshOrder, ForcesAreThoseOfTheSameNodes) {
-  const Mesh mesh = bar_mesh("tet4", {5, 3, 2}, {2, 1, 1});
-  const MeshOrder order = order_along_curve(mesh);
-  const Vector displacement =
-      0.05 * Vector::Random(static_cast<Eigen::Index>(mesh.positions.size()));
-  const Vector forces = forces_on(mesh, displacement);
-  const Vector moved = forces_on(reordered(mesh, order), to_order(order, displacement));
-  EXPECT_EQ(from_order(order, to_order(order, displacement)), displacement);
-  EXPECT_LT((from_order(order, moved) - forces).norm(), 1e-12 * forces.norm());
-}
-
-TEST(MeshOrder, NodesOfNoElementComeLast) {
-  Mesh mesh = bar_mesh("tet4", {2, 2, 2}, {1, 1, 1});
-  mesh.positions.insert(mesh.positions.begin(), {9.0, 9.0, 9.0});
-  for (std::int32_t& node : mesh.blocks[0].nodes) ++node;
-  const MeshOrder order = order_along_curve(mesh);
-  EXPECT_EQ(order.nodes.back(), 0);
-  EXPECT_EQ(reordered(mesh, order).positions.back(), 9.0);
-}
-
-TEST(MeshOrder, BlocksKeepTheirElementsAndRegions) {
-  Mesh mesh = bar_mesh("hexa8", {4, 2, 2}, {2, 1, 1});
-  Mesh other = bar_mesh("tet4", {4, 2, 2}, {2, 1, 1});
-  mesh.blocks.push_back(other.blocks[0]);
-  mesh.region_names = {"first", "second"};
-  for (std::size_t e = 0; e < mesh.blocks[1].num_elements(); ++e) {
-    mesh.blocks[1].region[e] = static_cast<std::int32_t>(e % 2);
+  const Vector u = 1e-3 * Vector::Random(static_cast<Eigen::Index>(mesh.positions.size()));
+  const Vector v = Vector::Random(u.size());
+  const Results a = results_of(along, u, v), b = results_of(plain, u, v);
+  const double bound = 1e-13;  // other order of at most 24 terms
+  EXPECT_LT((a.forces - b.forces).norm(), bound * b.forces.norm());
+  EXPECT_LT((a.product - b.product).norm(), bound * b.product.norm());
+  EXPECT_NEAR(a.energy, b.energy, bound * b.energy);
+  EXPECT_EQ(a.element_energies, b.element_energies);
+  EXPECT_LT(distance(a.blocks, b.blocks), bound);
+  EXPECT_LT((a.stiffness - b.stiffness).norm(), bound * b.stiffness.norm());
+  for (const auto& [measured, expected] : {std::pair{along.nodal_mass(), plain.nodal_mass()},
+                                           {along.lumped_mass(), plain.lumped_mass()},
+                                           {along.element_volumes(), plain.element_volumes()}}) {
+    EXPECT_LT(distance({measured.begin(), measured.end()}, {expected.begin(), expected.end()}),
+              bound);
   }
-  const MeshOrder order = order_along_curve(mesh);
-  const Mesh result = reordered(mesh, order);
-  ASSERT_EQ(result.blocks.size(), 2U);
-  const std::size_t first = mesh.blocks[0].num_elements();
-  for (std::size_t e = 0; e < result.blocks[1].num_elements(); ++e) {
-    const auto old = static_cast<std::size_t>(order.elements[first + e]) - first;
-    EXPECT_EQ(result.blocks[1].region[e], mesh.blocks[1].region[old]);
-    EXPECT_EQ(order.nodes[static_cast<std::size_t>(result.blocks[1].element_nodes(e)[2])],
-              mesh.blocks[1].element_nodes(old)[2]);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    MeshOrder, ReorderedModel,
+    testing::Values(ModelOptions{.threads = 1}, ModelOptions{.threads = 3},
+                    ModelOptions{.threads = 2, .tangent_product = TangentProduct::two_stage},
+                    ModelOptions{.threads = 1, .tangent_product = TangentProduct::assembled}),
+    [](const auto& test) {
+      return fmt::format("{}_threads_{}", test.param.threads,
+                         static_cast<int>(test.param.tangent_product));
+    });
+
+TEST(MeshOrder, BadElementsAreNamedByTheNumbersOfTheMesh) {
+  const Mesh mesh = shuffled(large_bar("tet4"));
+  const auto table = ReferenceKernels<Tet4, 8, false>::table();
+  Vector u = Vector::Zero(static_cast<Eigen::Index>(mesh.positions.size()));
+  u[1234] = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::string> texts;
+  for (const bool reorder : {true, false}) {
+    Model model(mesh, one_part(mesh, table), {.threads = 2, .reorder = reorder});
+    Vector forces = Vector::Zero(u.size());
+    model.forces(u, forces);
+    ASSERT_FALSE(model.status().ok());
+    texts.push_back(model.describe(model.status()));
+  }
+  EXPECT_EQ(texts[0], texts[1]);
+  EXPECT_NE(texts[0].find("411"), std::string::npos) << texts[0];  // the node
+}
+
+TEST(MeshOrder, OrderedAndSmallMeshesAreLeftAlone) {
+  const auto is_left_alone = [](const Mesh& mesh) {
+    std::vector<ModelPart> parts(1);
+    parts[0].elements.resize(mesh.num_elements());
+    std::iota(parts[0].elements.begin(), parts[0].elements.end(), 0);
+    return !is_scattered(mesh, parts);
+  };
+  EXPECT_TRUE(is_left_alone(large_bar("tet4")));
+  EXPECT_TRUE(is_left_alone(large_bar("hexa8")));
+  EXPECT_TRUE(is_left_alone(shuffled(bar_mesh("tet4", {20, 10, 10}, {2, 1, 1}))));
+  EXPECT_FALSE(is_left_alone(shuffled(bar_mesh("hexa8", {80, 17, 17}, {6, 1, 1}))));
+}
+
+TEST(MeshOrder, TheCurveKeepsEveryElementAndBringsNeighboursTogether) {
+  const Mesh mesh = shuffled(bar_mesh("tet4", {24, 6, 6}, {4, 1, 1}));
+  std::vector<ModelPart> parts(2);
+  for (std::int32_t e = 0; e < static_cast<std::int32_t>(mesh.num_elements()); ++e) {
+    parts[static_cast<std::size_t>(e % 3 == 0)].elements.push_back(e);
+  }
+  const std::vector<ModelPart> result = along_curve(mesh, parts);
+  const auto mean_step = [&](const ModelPart& part) {
+    double sum = 0;
+    for (std::size_t k = 1; k < part.elements.size(); ++k) {
+      const auto first_node = [&](std::size_t at) {
+        const auto e = static_cast<std::size_t>(part.elements[at]);
+        return 3 * static_cast<std::size_t>(mesh.blocks[0].element_nodes(e)[0]);
+      };
+      sum += std::abs(mesh.positions[first_node(k)] - mesh.positions[first_node(k - 1)]);
+    }
+    return sum / static_cast<double>(part.elements.size());
+  };
+  for (std::size_t p = 0; p < 2; ++p) {
+    std::vector<std::int32_t> elements = result[p].elements;
+    std::sort(elements.begin(), elements.end());
+    EXPECT_EQ(elements, parts[p].elements);
+    EXPECT_LT(mean_step(result[p]), 0.2 * mean_step(parts[p]));
   }
 }
 
