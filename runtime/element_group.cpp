@@ -32,14 +32,15 @@ std::size_t num_shapes(const std::vector<std::int32_t>& shape) {
 
 template <class Scalar>
 std::size_t ElementGroup<Scalar>::bytes_per_element() const {
+  const std::size_t connectivity = static_cast<std::size_t>(num_nodes) * sizeof(std::int32_t);
+  if (at_rest) return connectivity;
   const std::size_t vectors =
       kernels->reads_positions ? static_cast<std::size_t>(num_nodes * dim) : 0;
   const std::size_t per_set = vectors + static_cast<std::size_t>(kernels->num_constants);
   const std::size_t stored_state = state.empty() ? 0 : static_cast<std::size_t>(kernels->num_state);
   const std::size_t from_set =
       shape.empty() ? per_set : num_sets * static_cast<std::size_t>(lanes) * per_set / num_elements;
-  return static_cast<std::size_t>(num_nodes) * sizeof(std::int32_t) +
-         (from_set + stored_state) * sizeof(Scalar);
+  return connectivity + (from_set + stored_state) * sizeof(Scalar);
 }
 
 template <class Scalar>
@@ -79,6 +80,7 @@ ElementGroup<Scalar> make_element_group(const Mesh& mesh,
   ElementGroup<Scalar> group;
   group.part = source.part;
   group.block = source.block;
+  group.at_rest = source.at_rest;
   group.table = source.table;
   group.kernels = source.kernels;
   group.dim = mesh.dim;
@@ -134,6 +136,10 @@ ElementGroup<Scalar> make_element_group(const Mesh& mesh,
 
 template <class Scalar>
 void compute_constants(ElementGroup<Scalar>& group, int threads) {
+  if (group.at_rest) {
+    group.positions = {};
+    return;
+  }
   const std::size_t per_set = static_cast<std::size_t>(group.kernels->num_constants) *
                               static_cast<std::size_t>(group.lanes);
   group.constants.resize(group.num_sets * per_set);

@@ -28,7 +28,7 @@ namespace elastogen {
 ///   positions  [((set * n + a) * d + i) * L + lane]   of node a from node 0 of its element, which
 ///                                                     kernels cannot tell from the place itself;
 ///                                                     empty unless they read them
-///   constants  [(set * num_constants + k) * L + lane]
+///   constants  [(set * num_constants + k) * L + lane] empty where at rest
 ///   state      [(batch * num_state + k) * L + lane]   empty unless the product is two-stage
 /// Full batches take lane l's elements from the l-th L-th of a block of elements, so that the lanes
 /// of a batch share few nodes and an addition seldom waits for the one before it. The last batch
@@ -37,6 +37,8 @@ template <class Scalar>
 struct ElementGroup {
   std::size_t part = 0;
   std::size_t block = 0;
+  /// All nodes of all its elements are held where they are: no energy, no forces, no pass.
+  bool at_rest = false;
   const KernelTable<Scalar>* table = nullptr;
   const VariantTable<Scalar>* kernels = nullptr;
   int dim = 3;
@@ -84,7 +86,8 @@ template <class Scalar>
 struct ElementGroupSource {
   std::size_t part = 0;
   std::size_t block = 0;
-  std::size_t first_element = 0;           ///< mesh number of the block's element 0
+  std::size_t first_element = 0;  ///< mesh number of the block's element 0
+  bool at_rest = false;
   std::span<const std::int32_t> elements;  ///< indices within the block
   /// [k * num_nodes + a]: which node of the k-th element stands at place a; empty: their own order.
   std::span<const int> node_order;
@@ -102,7 +105,8 @@ template <class Scalar>
 [[nodiscard]] ElementGroup<Scalar> make_element_group(const Mesh& mesh,
                                                       const ElementGroupSource<Scalar>& source);
 
-/// Computes the grouped constants of all sets; drops positions that no kernel reads later.
+/// Computes the grouped constants of all sets, unless at rest; drops positions that no kernel reads
+/// later.
 template <class Scalar>
 void compute_constants(ElementGroup<Scalar>& group, int threads);
 

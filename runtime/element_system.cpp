@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "runtime/error.h"
+#include "runtime/stopwatch.h"
 
 namespace elastogen {
 namespace {
@@ -69,15 +70,14 @@ ElementSystem<Scalar>::ElementSystem(std::vector<ElementGroup<Scalar>> groups,
       groups_(std::move(groups)),
       numbering_(renumber ? NodeNumbering(groups_, num_nodes) : NodeNumbering()),
       threads_(count_threads(threads, groups_)),
-      shares_(plan_threads(groups_, threads_)),
-      workspaces_(shares_.size(), Workspace<Scalar>(groups_, true)),
-      statuses_(shares_.size()),
-      sums_(shares_.size()),
-      accumulator_(shares_, dim * dim) {
+      plan_(groups_, moving_batches(groups_), threads_, dim * dim),
+      workspaces_(plan_.shares.size(), Workspace<Scalar>(groups_, true)),
+      statuses_(plan_.shares.size()),
+      sums_(plan_.shares.size()) {
   point_.assign(num_nodes_ * static_cast<std::size_t>(dim_), 0.0);
   for (ElementGroup<Scalar>& group : groups_) {
     compute_constants(group, threads_);
-    if (!two_stage) continue;
+    if (!two_stage || group.at_rest) continue;
     group.state.resize(group.num_batches * static_cast<std::size_t>(group.lanes) *
                        static_cast<std::size_t>(group.kernels->num_state));
   }
@@ -118,40 +118,83 @@ const double* ElementSystem<Scalar>::for_passes(const double* vector) {
 // out[node * values_per_node + i] += what the shares compute; `compute` as NodeAccumulator has it.
 template <class Scalar>
 template <class Compute>
-void ElementSystem<Scalar>::accumulate(int values_per_node, double* out, Compute&& compute) {
+void ElementSystem<Scalar>::accumulate(PassPlan& plan, int values_per_node, double* out,
+                                       Compute&& compute) {
   if (numbering_.is_of_mesh()) {
-    accumulator_.run(shares_, values_per_node, out, compute);
+    plan.accumulator.run(plan.shares, values_per_node, out, compute);
     return;
   }
   sum_.assign(num_nodes_ * static_cast<std::size_t>(values_per_node), 0.0);
-  accumulator_.run(shares_, values_per_node, sum_.data(), compute);
+  plan.accumulator.run(plan.shares, values_per_node, sum_.data(), compute);
   numbering_.add_to_mesh(sum_.data(), values_per_node, threads_, out);
 }
 
-// Runs a pass whose kernels give numbers per element node: out += scale * their sum.
+// Runs a pass whose kernels give numbers per element node: sum[dof - first_dof] += scale * each.
 template <class Scalar>
-ElementStatus ElementSystem<Scalar>::add_nodal(const ElementPass<Scalar>& pass, double scale,
-                                               double* out) {
-  accumulate(dim_, out, [&](int s, std::int32_t node_begin, double* array) {
+ElementStatus ElementSystem<Scalar>::add_batches(const BatchRange& batches,
+                                                 const ElementPass<Scalar>& pass, double scale,
+                                                 double* sum, std::int32_t first_dof,
+                                                 Workspace<Scalar>& workspace) {
+  const ElementGroup<Scalar>& group = groups_[batches.group];
+  NodalPass<Scalar> nodal = group.nodal_pass();
+  nodal.kernel = group.kernels->*pass.kernel;
+  nodal.begin = batches.begin;
+  nodal.end = batches.end;
+  nodal.displacement = pass.displacement;
+  nodal.direction = pass.direction;
+  nodal.scale = scale;
+  nodal.sum = sum;
+  nodal.first_dof = first_dof;
+  if (group.table->nodal_pass(nodal) == status_ok) return {};
+  return first_bad_element(group, batches, pass, workspace);
+}
+
+// The same over all that the plan has: out += scale * their sum.
+template <class Scalar>
+ElementStatus ElementSystem<Scalar>::add_nodal(PassPlan& plan, const ElementPass<Scalar>& pass,
+                                               double scale, double* out) {
+  const Stopwatch watch(counts_.seconds);
+  ++counts_.passes;
+  accumulate(plan, dim_, out, [&](int s, std::int32_t node_begin, double* array) {
     const std::size_t thread = static_cast<std::size_t>(s);
     ElementStatus first;
-    for (const BatchRange& range : shares_[thread].ranges) {
-      const ElementGroup<Scalar>& group = groups_[range.group];
-      NodalPass<Scalar> nodal = group.nodal_pass();
-      nodal.kernel = group.kernels->*pass.kernel;
-      nodal.begin = range.begin;
-      nodal.end = range.end;
-      nodal.displacement = pass.displacement;
-      nodal.direction = pass.direction;
-      nodal.scale = scale;
-      nodal.sum = array;
-      nodal.first_dof = node_begin * dim_;
-      if (group.table->nodal_pass(nodal) == status_ok) continue;
-      first.merge(first_bad_element(group, range, pass, workspaces_[thread]));
+    for (const BatchRange& range : plan.shares[thread].ranges) {
+      first.merge(add_batches(range, pass, scale, array, node_begin * dim_, workspaces_[thread]));
     }
     statuses_[thread] = first;
   });
   return merged_status();
+}
+
+// Finds out what sleeps, and adds the forces that were kept of it.
+template <class Scalar>
+ElementStatus ElementSystem<Scalar>::add_sleeping_forces(const ElementPass<Scalar>& pass,
+                                                         double* f) {
+  const Stopwatch watch(counts_.seconds_of_sleep);
+  ElementStatus first;
+  sleeping_->follow(pass.displacement, threads_);
+  if (sleeping_->has_changed() || !awake_plan_) {
+    const std::size_t length = num_nodes_ * static_cast<std::size_t>(dim_);
+    AlignedVector<double> scratch(length, 0.0);
+    for (const std::size_t region : sleeping_->falling_asleep()) {
+      first.merge(
+          add_batches(sleeping_->batches(region), pass, 1, scratch.data(), 0, workspaces_[0]));
+      sleeping_->keep(region, scratch.data());
+    }
+    sleeping_->add_kept(scratch.data());
+    if (numbering_.is_of_mesh()) {
+      kept_forces_ = std::move(scratch);
+    } else {
+      kept_forces_.assign(length, 0.0);
+      numbering_.add_to_mesh(scratch.data(), dim_, threads_, kept_forces_.data());
+    }
+    awake_plan_.emplace(groups_, sleeping_->awake(), threads_, dim_);
+  }
+  const auto length = static_cast<std::ptrdiff_t>(kept_forces_.size());
+#pragma omp parallel for simd schedule(static) num_threads(threads_)
+  for (std::ptrdiff_t k = 0; k < length; ++k) f[k] += kept_forces_[static_cast<std::size_t>(k)];
+  counts_.slept += static_cast<std::int64_t>(sleeping_->num_sleeping_elements());
+  return first;
 }
 
 // Calls `compute(thread)` for every share, in parallel; it returns the first bad element.
@@ -175,7 +218,7 @@ ElementStatus ElementSystem<Scalar>::for_each_energy(const double* u, Consume&& 
   pass.kernel = &VariantTable<Scalar>::energy;
   pass.displacement = for_passes(u);
   return for_each_share([&](std::size_t thread) {
-    return run_pass(groups_, shares_[thread], pass, workspaces_[thread],
+    return run_pass(groups_, plan_.shares[thread], pass, workspaces_[thread],
                     [&](auto, const ElementGroup<Scalar>& group, std::size_t batch,
                         const Scalar* energies) { consume(thread, group, batch, energies); });
   });
@@ -213,7 +256,10 @@ ElementStatus ElementSystem<Scalar>::forces(const double* u, double* f) {
   ElementPass<Scalar> pass;
   pass.kernel = &VariantTable<Scalar>::forces;
   pass.displacement = for_passes(u);
-  return add_nodal(pass, 1, f);
+  if (!sleeping_) return add_nodal(plan_, pass, 1, f);
+  ElementStatus first = add_sleeping_forces(pass, f);
+  first.merge(add_nodal(*awake_plan_, pass, 1, f));
+  return first;
 }
 
 template <class Scalar>
@@ -232,7 +278,7 @@ ElementStatus ElementSystem<Scalar>::store_states() {
   pass.displacement = point_.data();
   return for_each_share([&](std::size_t thread) {
     ElementStatus first;
-    for (const BatchRange& range : shares_[thread].ranges) {
+    for (const BatchRange& range : plan_.shares[thread].ranges) {
       ElementGroup<Scalar>& group = groups_[range.group];
       with_layout(group, [&](auto layout) {
         const std::size_t size = static_cast<std::size_t>(group.kernels->num_state * layout.lanes);
@@ -249,12 +295,13 @@ ElementStatus ElementSystem<Scalar>::store_states() {
 template <class Scalar>
 ElementStatus ElementSystem<Scalar>::product(const double* v, double scale, double* df) {
   require(&VariantTable<Scalar>::product, "product");
-  return add_nodal({&VariantTable<Scalar>::product, point_.data(), for_passes(v)}, scale, df);
+  return add_nodal(plan_, {&VariantTable<Scalar>::product, point_.data(), for_passes(v)}, scale,
+                   df);
 }
 
 template <class Scalar>
 ElementStatus ElementSystem<Scalar>::apply(const double* v, double scale, double* df) {
-  return add_nodal({&VariantTable<Scalar>::apply, nullptr, for_passes(v)}, scale, df);
+  return add_nodal(plan_, {&VariantTable<Scalar>::apply, nullptr, for_passes(v)}, scale, df);
 }
 
 template <class Scalar>
@@ -271,10 +318,10 @@ ElementStatus ElementSystem<Scalar>::diagonal_blocks(double* blocks) {
   ElementPass<Scalar> pass;
   pass.kernel = &VariantTable<Scalar>::stiffness;
   pass.displacement = point_.data();
-  accumulate(dim_ * dim_, blocks, [&](int s, std::int32_t node_begin, double* array) {
+  accumulate(plan_, dim_ * dim_, blocks, [&](int s, std::int32_t node_begin, double* array) {
     const std::size_t thread = static_cast<std::size_t>(s);
     statuses_[thread] =
-        run_pass(groups_, shares_[thread], pass, workspaces_[thread],
+        run_pass(groups_, plan_.shares[thread], pass, workspaces_[thread],
                  [&](auto layout, const ElementGroup<Scalar>& group, std::size_t batch,
                      const Scalar* matrices) {
                    add_diagonal_blocks<decltype(layout)>(group, batch, matrices, node_begin, array);

@@ -46,6 +46,7 @@ GroupSummary summary_of(const ElementGroup<Scalar>& group) {
   s.geometry = group.kernels->geometry;
   s.scalar = std::is_same_v<Scalar, double> ? "double" : "float";
   s.part = group.part;
+  s.at_rest = group.at_rest;
   s.num_elements = group.num_elements;
   s.num_batches = group.num_batches;
   s.lanes = group.lanes;
@@ -171,11 +172,12 @@ Model::Model(const Mesh& mesh, std::span<const ModelPart> given_parts, const Mod
   check_parts(mesh, given_parts, options);
   d.reordered = options.reorder && is_scattered(mesh, given_parts);
   std::vector<ModelPart> parts_along_curve;
-  if (d.reordered) parts_along_curve = along_curve(mesh, given_parts);
-  const std::span<const ModelPart> parts =
-      d.reordered ? std::span<const ModelPart>(parts_along_curve) : given_parts;
-  std::vector<ElementGroup<double>> groups =
-      make_element_groups<double>(mesh, parts, options.share_constants);
+  std::span<const ModelPart> parts = given_parts;
+  if (d.reordered || options.sleep.motion > 0) {
+    parts_along_curve = along_curve(mesh, given_parts);
+    parts = parts_along_curve;
+  }
+  std::vector<ElementGroup<double>> groups = make_element_groups<double>(mesh, parts, options);
   d.dim = mesh.dim;
   d.num_nodes = mesh.num_nodes();
   d.num_elements = mesh.num_elements();
@@ -191,8 +193,7 @@ Model::Model(const Mesh& mesh, std::span<const ModelPart> given_parts, const Mod
     d.make_system(d.in_double, std::move(groups), !mixed);
   }
   if (options.precision != Precision::double_precision) {
-    d.make_system(d.in_single, make_element_groups<float>(mesh, parts, options.share_constants),
-                  true);
+    d.make_system(d.in_single, make_element_groups<float>(mesh, parts, options), true);
   }
   if (options.tangent_product != TangentProduct::recompute) {
     linearize(Vector::Zero(static_cast<Eigen::Index>(d.num_dofs())));
@@ -233,7 +234,7 @@ double Model::energy(const ConstVectorRef& u) {
 void Model::element_energies(const ConstVectorRef& u, std::vector<double>& energies) {
   Data& d = *data_;
   d.check_length(u.size(), "the displacement");
-  energies.resize(d.num_elements);
+  energies.assign(d.num_elements, 0.0);
   d.status = d.with_forces(
       [&](auto& elements) { return elements.element_energies(u.data(), energies.data()); });
 }
@@ -243,6 +244,17 @@ void Model::forces(const ConstVectorRef& u, VectorRef f) {
   d.check_length(u.size(), "the displacement");
   d.check_length(f.size(), "the force vector");
   d.status = d.with_forces([&](auto& elements) { return elements.forces(u.data(), f.data()); });
+}
+
+void Model::let_sleep(bool allowed) {
+  const SleepOptions& sleep = data_->options.sleep;
+  data_->with_forces([&](auto& elements) {
+    if (allowed && sleep.motion > 0) {
+      elements.let_sleep(sleep.motion, sleep.calls);
+    } else {
+      elements.wake();
+    }
+  });
 }
 
 void Model::linearize(const ConstVectorRef& u, TangentForm form) {
@@ -315,6 +327,32 @@ std::string Model::describe(const ElementStatus& status) const {
     return fmt::format("{}: {}", element_text(*group, elements.numbering(), k),
                        status_text(status.flags));
   });
+}
+
+SkippedWork Model::skipped() const {
+  SkippedWork work;
+  double seconds = 0;
+  std::int64_t at_rest = 0;  // element passes
+  const auto add = [&](const auto& elements) {
+    if (!elements) return;
+    std::size_t resting = 0;
+    for (const auto& group : elements->groups()) resting += group.at_rest ? group.num_elements : 0;
+    const PassCounts& counts = elements->counts();
+    work.elements_at_rest = resting;
+    work.element_passes += counts.passes * static_cast<std::int64_t>(num_elements());
+    work.slept += counts.slept;
+    work.seconds_saved -= counts.seconds_of_sleep;
+    at_rest += counts.passes * static_cast<std::int64_t>(resting);
+    seconds += counts.seconds;
+  };
+  add(data_->in_double);
+  add(data_->in_single);
+  const std::int64_t computed = work.element_passes - at_rest - work.slept;
+  if (computed > 0) {
+    work.seconds_saved +=
+        seconds * static_cast<double>(at_rest + work.slept) / static_cast<double>(computed);
+  }
+  return work;
 }
 
 std::vector<GroupSummary> Model::groups() const {

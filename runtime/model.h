@@ -47,6 +47,15 @@ enum class Precision {
 /// "double", "mixed", "single"
 [[nodiscard]] std::string_view precision_name(Precision precision);
 
+/// When regions of the body sleep: their forces are kept instead of computed until they move. For
+/// motions in time by explicit schemes, which call forces() once a step; Model::let_sleep() begins.
+struct SleepOptions {
+  /// Of every component of every node [m]: so far the displacement that kept forces are of may be
+  /// from the true one. 0: nothing sleeps.
+  double motion = 0;
+  int calls = 10;  ///< of forces() that a region must have been as still before it sleeps
+};
+
 struct ModelOptions {
   int threads = 0;  ///< OpenMP threads; 0: as many as OpenMP offers and the elements' work pays for
   TangentProduct tangent_product = TangentProduct::recompute;
@@ -59,6 +68,11 @@ struct ModelOptions {
   /// through the body and work on copies of the vectors in its order. Results differ by the order
   /// of summation; numbers of nodes and elements stay those of the mesh.
   bool reorder = true;
+  /// Nodes whose displacement is 0 in every call. Elements that have no other nodes are left out of
+  /// every pass: they have no energy, forces and products; nor does the stiffness have theirs.
+  std::vector<std::int32_t> held_nodes = {};
+  /// Regions are compact: elements are taken along the curve whatever their order.
+  SleepOptions sleep = {};
 };
 
 /// Elements that are computed by the same kernels: one part and one geometry variant, those that
@@ -69,6 +83,7 @@ struct GroupSummary {
   std::string geometry;     ///< "general", "affine", "box"
   std::string scalar;       ///< "double", "float"; with Precision::mixed elements are in both
   std::size_t part = 0;     ///< index into the model's parts
+  bool at_rest = false;     ///< left out of passes (ModelOptions::held_nodes)
   std::size_t num_elements = 0;
   std::size_t num_batches = 0;
   std::size_t num_shapes = 0;  ///< sets of grouped constants: fewer than elements where they share
@@ -78,6 +93,15 @@ struct GroupSummary {
   /// Stored per element: connectivity, positions where the kernels read them, grouped constants,
   /// state; padding of the last batch not counted.
   std::size_t bytes_per_element = 0;
+};
+
+/// What a model has not computed since its construction, and the time that would have taken: the
+/// mean time of an element in forces() and product(), less what finding out took.
+struct SkippedWork {
+  std::size_t elements_at_rest = 0;  ///< with held nodes only
+  std::int64_t element_passes = 0;   ///< elements times calls of forces() and product()
+  std::int64_t slept = 0;            ///< of these, forces that were kept
+  double seconds_saved = 0;
 };
 
 /// The discretised body.
@@ -148,6 +172,11 @@ class Model {
   /// "element 17 (tet4, nodes 3 8 9 12): ..." for a status that is not good.
   [[nodiscard]] std::string describe(const ElementStatus& status) const;
 
+  /// Whether regions may sleep from the next forces() on, as ModelOptions::sleep says; nothing does
+  /// at first, nor where that has no motion. Displacements that are tried, as by critical_step(),
+  /// are no steps of a motion: call this after them.
+  void let_sleep(bool allowed);
+
   /// Energy of each element at u [J], in mesh order; resized where needed.
   void element_energies(const ConstVectorRef& u, std::vector<double>& energies);
 
@@ -165,6 +194,8 @@ class Model {
   /// linear elements the consistent mass; for quadratic ones each element's mass in proportion to
   /// the diagonal of its mass matrix (Hinton, Rock & Zienkiewicz 1976).
   [[nodiscard]] std::span<const double> lumped_mass() const;
+
+  [[nodiscard]] SkippedWork skipped() const;
 
   /// The groups in the order they are computed.
   [[nodiscard]] std::vector<GroupSummary> groups() const;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -272,6 +273,14 @@ std::vector<std::int32_t> elements_of_region(const ElementBlock& block, std::int
 
 void check_parts(const Mesh& mesh, std::span<const ModelPart> parts, const ModelOptions& options) {
   check_mesh(mesh);
+  for (const std::int32_t node : options.held_nodes) {
+    if (node >= 0 && static_cast<std::size_t>(node) < mesh.num_nodes()) continue;
+    throw InternalError(fmt::format("held node {}: the mesh has {}", node, mesh.num_nodes()));
+  }
+  if (!(options.sleep.motion >= 0) || options.sleep.calls < 1) {
+    throw InputError(fmt::format("sleep: motion = {} m in {} calls; must be at least 0, and 1",
+                                 options.sleep.motion, options.sleep.calls));
+  }
   for (std::size_t p = 0; p < parts.size(); ++p) check_part(mesh, parts[p], p, options);
   check_cover(mesh, parts);
 }
@@ -279,7 +288,9 @@ void check_parts(const Mesh& mesh, std::span<const ModelPart> parts, const Model
 template <class Scalar>
 std::vector<ElementGroup<Scalar>> make_element_groups(const Mesh& mesh,
                                                       std::span<const ModelPart> parts,
-                                                      bool share_constants) {
+                                                      const ModelOptions& options) {
+  std::vector<bool> is_held(mesh.num_nodes(), false);
+  for (const std::int32_t node : options.held_nodes) is_held[static_cast<std::size_t>(node)] = true;
   std::vector<std::size_t> first_element(mesh.blocks.size(), 0);
   for (std::size_t b = 1; b < mesh.blocks.size(); ++b) {
     first_element[b] = first_element[b - 1] + mesh.blocks[b - 1].num_elements();
@@ -292,7 +303,14 @@ std::vector<ElementGroup<Scalar>> make_element_groups(const Mesh& mesh,
     const KernelTable<Scalar>& table = kernels_of<Scalar>(part);
     std::vector<VariantElements<Scalar>> variants = special_variants(table);
     variants.push_back({find_variant(table, "general"), {}, {}});
+    VariantElements<Scalar> at_rest = variants.back();
     for (const std::int32_t e : part.elements) {
+      const auto nodes = block.element_nodes(static_cast<std::size_t>(e));
+      if (std::all_of(nodes.begin(), nodes.end(),
+                      [&](std::int32_t node) { return is_held[static_cast<std::size_t>(node)]; })) {
+        at_rest.elements.push_back(e);
+        continue;
+      }
       for (VariantElements<Scalar>& variant : variants) {
         const std::optional<std::vector<int>> order =
             node_order_for(variant.kernels->geometry, mesh, block, static_cast<std::size_t>(e));
@@ -312,15 +330,21 @@ std::vector<ElementGroup<Scalar>> make_element_groups(const Mesh& mesh,
     for (const VariantElements<Scalar>& variant : variants) {
       if (variant.elements.empty()) continue;
       source.kernels = variant.kernels;
-      add_groups(mesh, variant, source, share_constants, groups);
+      add_groups(mesh, variant, source, options.share_constants, groups);
     }
+    if (at_rest.elements.empty()) continue;
+    source.kernels = at_rest.kernels;
+    source.at_rest = true;
+    add_groups(mesh, at_rest, source, false, groups);
   }
   return groups;
 }
 
 template std::vector<ElementGroup<double>> make_element_groups(const Mesh&,
-                                                               std::span<const ModelPart>, bool);
+                                                               std::span<const ModelPart>,
+                                                               const ModelOptions&);
 template std::vector<ElementGroup<float>> make_element_groups(const Mesh&,
-                                                              std::span<const ModelPart>, bool);
+                                                              std::span<const ModelPart>,
+                                                              const ModelOptions&);
 
 }  // namespace elastogen

@@ -14,11 +14,11 @@ namespace elastogen {
 void check_parts(const Mesh& mesh, std::span<const ModelPart> parts, const ModelOptions& options);
 
 /// Batches the elements of parts that were checked: one group per part and geometry variant that
-/// occurs, and of these one for the elements that share their rest shapes with many others.
-/// Positions are filled, constants are left empty.
-/// @param share_constants  whether congruent elements are looked for
+/// occurs, of these one for the elements that share their rest shapes with many others where the
+/// options ask for it, and one for the elements at rest. Positions are filled, constants are left
+/// empty.
 template <class Scalar>
 [[nodiscard]] std::vector<ElementGroup<Scalar>> make_element_groups(
-    const Mesh& mesh, std::span<const ModelPart> parts, bool share_constants);
+    const Mesh& mesh, std::span<const ModelPart> parts, const ModelOptions& options);
 
 }  // namespace elastogen

@@ -109,6 +109,24 @@ void PrescribedMotion::rotate(const Mesh& mesh, std::span<const std::int32_t> no
   rotations_.push_back(std::move(turn));
 }
 
+std::vector<std::int32_t> PrescribedMotion::held_nodes() const {
+  const auto dim = static_cast<std::size_t>(constraints_.dim());
+  std::vector<bool> is_held(constraints_.num_dofs() / dim, true);
+  for (std::size_t dof = 0; dof < constraints_.num_dofs(); ++dof) {
+    const bool is_zero = constraints_.is_constrained(dof) && constraints_.value(dof) == 0;
+    if (!is_zero) is_held[dof / dim] = false;
+  }
+  for (const Translation& translation : translations_) is_held[translation.dof / dim] = false;
+  for (const Turn& turn : rotations_) {
+    for (const std::size_t node : turn.nodes) is_held[node] = false;
+  }
+  std::vector<std::int32_t> nodes;
+  for (std::size_t node = 0; node < is_held.size(); ++node) {
+    if (is_held[node]) nodes.push_back(static_cast<std::int32_t>(node));
+  }
+  return nodes;
+}
+
 void PrescribedMotion::impose(double time, VectorRef u) const {
   constraints_.impose(u);
   for (const Translation& translation : translations_) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -63,6 +64,9 @@ class PrescribedMotion {
 
   /// Whether anything moves by a history.
   [[nodiscard]] bool empty() const { return translations_.empty() && rotations_.empty(); }
+
+  /// Nodes whose displacement is 0 in every component at all times, ascending.
+  [[nodiscard]] std::vector<std::int32_t> held_nodes() const;
 
   /// Sets u to the given displacements at a time where constrained.
   void impose(double time, VectorRef u) const;

@@ -67,6 +67,7 @@ ElementStatus StiffnessAssembly<Scalar>::run(const std::vector<ElementGroup<Scal
     Workspace<Scalar>& workspace = workspaces_[static_cast<std::size_t>(thread)];
     for (std::size_t g = 0; g < groups.size(); ++g) {
       const ElementGroup<Scalar>& group = groups[g];
+      if (group.at_rest) continue;
       const std::size_t size =
           group.values_per_batch() * static_cast<std::size_t>(group.num_nodes * group.dim);
       const std::size_t step = matrices_.size() / size;

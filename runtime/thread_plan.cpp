@@ -12,10 +12,11 @@ double batch_work(const ElementGroup<Scalar>& group) {
 }
 
 template <class Scalar>
-double total_work(const std::vector<ElementGroup<Scalar>>& groups) {
+double total_work(const std::vector<ElementGroup<Scalar>>& groups,
+                  const std::vector<BatchRange>& batches) {
   double total = 0;
-  for (const ElementGroup<Scalar>& group : groups) {
-    total += static_cast<double>(group.num_batches) * batch_work(group);
+  for (const BatchRange& range : batches) {
+    total += static_cast<double>(range.end - range.begin) * batch_work(groups[range.group]);
   }
   return total;
 }
@@ -43,32 +44,41 @@ void find_node_range(const std::vector<ElementGroup<Scalar>>& groups, ThreadShar
 template <class Scalar>
 int useful_threads(const std::vector<ElementGroup<Scalar>>& groups, int available) {
   constexpr double work_per_thread = 50000;
-  const double useful = total_work(groups) / work_per_thread;
+  const double useful = total_work(groups, moving_batches(groups)) / work_per_thread;
   return useful < available ? std::max(1, static_cast<int>(useful)) : available;
 }
 
 template <class Scalar>
+std::vector<BatchRange> moving_batches(const std::vector<ElementGroup<Scalar>>& groups) {
+  std::vector<BatchRange> batches;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (!groups[g].at_rest) batches.push_back({g, 0, groups[g].num_batches});
+  }
+  return batches;
+}
+
+template <class Scalar>
 std::vector<ThreadShare> plan_threads(const std::vector<ElementGroup<Scalar>>& groups,
-                                      int threads) {
-  const double total = total_work(groups);
+                                      const std::vector<BatchRange>& batches, int threads) {
+  const double total = total_work(groups, batches);
   std::vector<ThreadShare> shares(static_cast<std::size_t>(threads));
   double done = 0;
   std::size_t current = 0;
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    const double work = batch_work(groups[g]);
-    std::size_t begin = 0;
-    while (begin < groups[g].num_batches) {
+  for (const BatchRange& range : batches) {
+    const double work = batch_work(groups[range.group]);
+    std::size_t begin = range.begin;
+    while (begin < range.end) {
       // The share ends with the batch that brings it to its part of the work; the last takes all.
-      std::size_t end = groups[g].num_batches;
+      std::size_t end = range.end;
       if (current + 1 < shares.size()) {
         const double limit = total * static_cast<double>(current + 1) / threads;
         const double room = std::max(0.0, (limit - done) / work + 0.5);
         end = std::min(end, begin + static_cast<std::size_t>(room));
       }
-      if (end > begin) shares[current].ranges.push_back({g, begin, end});
+      if (end > begin) shares[current].ranges.push_back({range.group, begin, end});
       done += static_cast<double>(end - begin) * work;
       begin = end;
-      if (begin < groups[g].num_batches) ++current;
+      if (begin < range.end) ++current;
     }
   }
   for (ThreadShare& share : shares) find_node_range(groups, share);
@@ -107,7 +117,11 @@ void NodeAccumulator::sum(const std::vector<ThreadShare>& shares, int values_per
 
 template int useful_threads(const std::vector<ElementGroup<double>>&, int);
 template int useful_threads(const std::vector<ElementGroup<float>>&, int);
-template std::vector<ThreadShare> plan_threads(const std::vector<ElementGroup<double>>&, int);
-template std::vector<ThreadShare> plan_threads(const std::vector<ElementGroup<float>>&, int);
+template std::vector<BatchRange> moving_batches(const std::vector<ElementGroup<double>>&);
+template std::vector<BatchRange> moving_batches(const std::vector<ElementGroup<float>>&);
+template std::vector<ThreadShare> plan_threads(const std::vector<ElementGroup<double>>&,
+                                               const std::vector<BatchRange>&, int);
+template std::vector<ThreadShare> plan_threads(const std::vector<ElementGroup<float>>&,
+                                               const std::vector<BatchRange>&, int);
 
 }  // namespace elastogen

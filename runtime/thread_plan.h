@@ -30,10 +30,16 @@ struct ThreadShare {
 template <class Scalar>
 [[nodiscard]] int useful_threads(const std::vector<ElementGroup<Scalar>>& groups, int available);
 
-/// One share per thread. The shares follow the groups' order, so with natural node numbers the
+/// All batches of the groups that are not at rest.
+template <class Scalar>
+[[nodiscard]] std::vector<BatchRange> moving_batches(
+    const std::vector<ElementGroup<Scalar>>& groups);
+
+/// One share per thread. The shares follow the order of `batches`, so with natural node numbers the
 /// node ranges of two shares overlap little.
 template <class Scalar>
 [[nodiscard]] std::vector<ThreadShare> plan_threads(const std::vector<ElementGroup<Scalar>>& groups,
+                                                    const std::vector<BatchRange>& batches,
                                                     int threads);
 
 /// Sums what the shares compute into node-major arrays. Every share writes to an array of its own

@@ -168,6 +168,11 @@ std::vector<std::string> resume_warnings(const Scene& scene, const Checkpoint& s
         "was not interrupted to the linear tolerance, not to the last bit",
         solver_name(scene.solver.method)));
   }
+  if (scene.skip.sleep.motion > 0) {
+    warnings.emplace_back(
+        "everything is awake from here: results agree with those of a run that was not interrupted "
+        "to what skip.sleep.motion allows, not to the last bit");
+  }
   return warnings;
 }
 
@@ -240,12 +245,13 @@ int run(const RunOptions& options, const Context& context) {
   // A run that is resumed takes its own number of threads, for equal results.
   const int usual_threads = start ? start->threads : scene.solver.threads;
   Model model = with_location(scene.file.string(), "mesh", [&] {
-    return make_model(problem, kernels.of_block, precision,
+    return make_model(scene, problem, kernels.of_block,
                       context.threads > 0 ? context.threads : usual_threads);
   });
   summary.groups = model.groups();
   summary.threads = model.num_threads();
   if (scene.dynamics) summary.plan = plan_motion(scene, problem, model);
+  model.let_sleep(true);
   const std::int64_t num_steps = summary.plan ? summary.plan->num_steps : scene.solver.load_steps;
   const double time_step = summary.plan ? summary.plan->options.step : 0;
   Recorder recorder(scene, problem, model, summary.folder, intervals_of(scene.output, num_steps),
@@ -272,6 +278,8 @@ int run(const RunOptions& options, const Context& context) {
       make_steps(scene, problem, model, recorder, start ? &*start : nullptr, context, summary);
   const SceneResults results = collect_results(scene, problem, model, std::move(end));
   summary.times.solve = watch.lap();
+  summary.skipped = model.skipped();
+  summary.reordered = model.is_reordered();
 
   summary.scene = &scene;
   summary.problem = &problem;

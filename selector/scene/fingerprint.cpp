@@ -25,10 +25,11 @@ std::string settings_text(const Scene& scene, double time_step) {
     return fmt::format("static {} {} {}", method, scene.solver.tolerance, scene.solver.load_steps);
   }
   const IntegratorOptions& options = scene.dynamics->options;
-  return fmt::format("{} {} {} {} {} {} {} {} {}", scheme_name(options.scheme), method, time_step,
-                     options.damping, options.linear_tolerance, options.newton_iterations,
-                     options.newton_tolerance, fmt::join(scene.dynamics->velocity, " "),
-                     fmt::join(scene.dynamics->spin, " "));
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {}", scheme_name(options.scheme), method,
+                     time_step, options.damping, options.linear_tolerance,
+                     options.newton_iterations, options.newton_tolerance,
+                     fmt::join(scene.dynamics->velocity, " "), fmt::join(scene.dynamics->spin, " "),
+                     scene.skip.sleep.motion, scene.skip.sleep.calls);
 }
 
 }  // namespace

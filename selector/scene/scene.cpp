@@ -235,6 +235,24 @@ SolverSettings read_solver(const TomlTable& table,
   return solver;
 }
 
+SkipSettings read_skip(const TomlTable& table, const std::optional<DynamicsDescription>& dynamics) {
+  table.allow_only({"at_rest", "congruent", "sleep"});
+  SkipSettings skip;
+  if (table.has("at_rest")) skip.at_rest = table.boolean("at_rest");
+  if (table.has("congruent")) skip.congruent = table.boolean("congruent");
+  if (!table.has("sleep")) return skip;
+  const TomlTable sleep = table.table("sleep");
+  if (!dynamics || !is_explicit(dynamics->options.scheme)) {
+    sleep.fail(
+        "is for motions by symplectic_euler or central_differences: systems of equations "
+        "need every element");
+  }
+  sleep.allow_only({"motion", "steps"});
+  skip.sleep.motion = sleep.number("motion", positive_number);
+  if (sleep.has("steps")) skip.sleep.calls = sleep.integer("steps", 1);
+  return skip;
+}
+
 /// What is written unless the scene says something else.
 OutputSettings default_output(const Scene& scene) {
   OutputSettings output;
@@ -326,7 +344,7 @@ ReferenceDescription read_reference(const TomlTable& table) {
 Scene read_scene(const std::filesystem::path& file) {
   const TomlTable table = TomlTable::open(file);
   table.allow_only({"title", "laws", "gravity", "bar", "sphere", "mesh", "material", "constraint",
-                    "load", "probe", "dynamics", "start", "solver", "measure", "output",
+                    "load", "probe", "dynamics", "start", "solver", "skip", "measure", "output",
                     "reference"});
   Scene scene;
   scene.file = file;
@@ -375,6 +393,7 @@ Scene read_scene(const std::filesystem::path& file) {
     }
   }
   if (table.has("solver")) scene.solver = read_solver(table.table("solver"), scene.dynamics);
+  if (table.has("skip")) scene.skip = read_skip(table.table("skip"), scene.dynamics);
   if (table.has("measure")) {
     scene.measure = read_measure(table, scene.bar && scene.dim == 3);
   }

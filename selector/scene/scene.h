@@ -107,6 +107,13 @@ struct SolverSettings {
   int threads = 0;  ///< 0: all
 };
 
+/// What is left out of the work on the elements.
+struct SkipSettings {
+  bool at_rest = true;    ///< elements between held nodes
+  bool congruent = true;  ///< constants of elements that are translations of each other
+  SleepOptions sleep;     ///< of motions by explicit schemes
+};
+
 struct OutputSettings {
   bool vtu = true;
   bool curve = true;  ///< only of bars
@@ -148,6 +155,7 @@ struct Scene {
   std::optional<DynamicsDescription> dynamics;  ///< none: static equilibrium
   Start start = Start::rest;                    ///< of statics
   SolverSettings solver;
+  SkipSettings skip;
   MeasureSettings measure;
   OutputSettings output;
   std::optional<ReferenceDescription> reference;

@@ -36,7 +36,7 @@ OperationsByPrecision divide_operations(const std::vector<std::string>& operatio
   return divided;
 }
 
-Model make_model(const Problem& problem, std::span<const BlockKernels> kernels, Precision precision,
+Model make_model(const Scene& scene, const Problem& problem, std::span<const BlockKernels> kernels,
                  int threads) {
   const Mesh& mesh = problem.mesh.mesh;
   std::vector<ModelPart> parts;
@@ -49,7 +49,10 @@ Model make_model(const Problem& problem, std::span<const BlockKernels> kernels, 
   }
   ModelOptions options;
   options.threads = threads;
-  options.precision = precision;
+  options.precision = scene.solver.precision;
+  options.share_constants = scene.skip.congruent;
+  if (scene.skip.at_rest) options.held_nodes = problem.motion.held_nodes();
+  options.sleep = scene.skip.sleep;
   return Model(mesh, parts, options);
 }
 

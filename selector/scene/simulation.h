@@ -31,11 +31,12 @@ struct OperationsByPrecision {
 [[nodiscard]] OperationsByPrecision divide_operations(const std::vector<std::string>& operations,
                                                       Precision precision);
 
+/// With what the scene's solver and skip settings say of it.
 /// @param kernels  of each block of the mesh
 /// @param threads  0: all
 /// @throws InputError  an inverted or degenerate element, by its number
-[[nodiscard]] Model make_model(const Problem& problem, std::span<const BlockKernels> kernels,
-                               Precision precision, int threads);
+[[nodiscard]] Model make_model(const Scene& scene, const Problem& problem,
+                               std::span<const BlockKernels> kernels, int threads);
 
 /// Gravity as a consistent body load, the nodal forces and those of surface loads [N].
 [[nodiscard]] Vector make_load(const Scene& scene, const Problem& problem, const Model& model);

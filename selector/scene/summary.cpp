@@ -147,6 +147,26 @@ Json times_json(const RunSummary& summary) {
   return times;
 }
 
+/// Bytes of grouped constants that congruent elements need not have.
+std::size_t shared_bytes(const std::vector<GroupSummary>& groups) {
+  std::size_t bytes = 0;
+  for (const GroupSummary& group : groups) {
+    const std::size_t size = group.scalar == "float" ? sizeof(float) : sizeof(double);
+    bytes += (group.num_elements - group.num_shapes) *
+             static_cast<std::size_t>(group.num_constants) * size;
+  }
+  return bytes;
+}
+
+Json skipped_json(const RunSummary& summary) {
+  const SkippedWork& skipped = summary.skipped;
+  return {{"elements_at_rest", skipped.elements_at_rest},
+          {"element_passes", skipped.element_passes},
+          {"forces_kept", skipped.slept},
+          {"seconds_saved", skipped.seconds_saved},
+          {"shared_constants_bytes", shared_bytes(summary.groups)}};
+}
+
 Json components_json(const std::array<double, 3>& vector, std::size_t dim) {
   return std::vector<double>(vector.begin(), vector.begin() + static_cast<std::ptrdiff_t>(dim));
 }
@@ -296,6 +316,37 @@ std::string motion_text(const RunSummary& summary) {
   return text + fmt::format("; {:.3g} ms per step\n", 1000 * motion.seconds / made);
 }
 
+std::string skipped_text(const RunSummary& summary) {
+  const SkippedWork& skipped = summary.skipped;
+  std::vector<std::string> lines = {"operations that this run does not call: " +
+                                    join(skipped_operations(summary.operations), ", ")};
+  if (const std::size_t bytes = shared_bytes(summary.groups); bytes > 0) {
+    lines.push_back(fmt::format("constants of congruent elements: {:.3g} MB",
+                                1e-6 * static_cast<double>(bytes)));
+  }
+  if (skipped.elements_at_rest > 0) {
+    lines.push_back(
+        fmt::format("{} elements at rest between held nodes", skipped.elements_at_rest));
+  }
+  if (skipped.slept > 0) {
+    lines.push_back(fmt::format(
+        "forces of sleeping elements: {:.1f} % of {} in all",
+        100 * static_cast<double>(skipped.slept) / static_cast<double>(skipped.element_passes),
+        skipped.element_passes));
+  }
+  if (skipped.elements_at_rest > 0 || skipped.slept > 0) {
+    lines.push_back(skipped.seconds_saved >= 0
+                        ? fmt::format("about {:.2g} s saved", skipped.seconds_saved)
+                        : fmt::format("about {:.2g} s lost: finding out what sleeps took longer",
+                                      -skipped.seconds_saved));
+  }
+  std::string text = "  skipped             " + join(lines, "\n                      ") + "\n";
+  if (summary.reordered) {
+    text += "  order               the mesh is scattered: elements are taken along a curve\n";
+  }
+  return text;
+}
+
 std::string times_text(const RunSummary& summary) {
   std::string text = fmt::format(
       "  times               mesh {:.2f} s, kernels {:.2f} s, setup {:.2f} s, solve {:.2f} s",
@@ -335,6 +386,8 @@ Json summary_json(const RunSummary& summary) {
   json["associations"] = associations_json(summary);
   json["operations"] = summary.operations;
   json["skipped_operations"] = skipped_operations(summary.operations);
+  json["skipped"] = skipped_json(summary);
+  json["reordered"] = summary.reordered;
   if (!summary.problem->surface_loads.empty()) {
     json["surface_loads"] = surface_loads_json(*summary.problem);
   }
@@ -383,8 +436,7 @@ std::string summary_text(const RunSummary& summary) {
     text += fmt::format("  resumed             from step {}\n", summary.resumed_from->step);
   }
   text += results_text(summary);
-  text += fmt::format("  skipped             operations that this run does not call: {}\n",
-                      join(skipped_operations(summary.operations), ", "));
+  text += skipped_text(summary);
   text += times_text(summary);
   text += fmt::format("  files               {} in {}\n", join(summary.files, ", "),
                       summary.folder.string());

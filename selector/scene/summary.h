@@ -43,6 +43,8 @@ struct RunSummary {
   std::vector<KernelOrigin> kernels;
   std::vector<GroupSummary> groups;
   std::vector<std::string> operations;  ///< generated
+  SkippedWork skipped;
+  bool reordered = false;  ///< the mesh was scattered (ModelOptions::reorder)
   int threads = 0;
   PhaseTimes times;
   std::vector<std::string> warnings;
