@@ -12,7 +12,8 @@
 
 #include "runtime/kernel_instruction_set.h"
 
-namespace elastogen::kernel::inline ELASTOGEN_INSTRUCTION_SET {
+namespace elastogen::kernel {
+inline namespace ELASTOGEN_INSTRUCTION_SET {
 
 /// A vector of numbers, one per element of a batch (GNU vector extension).
 template <class S, int lanes>
@@ -286,4 +287,5 @@ inline V exp(const V& y) {
   return functions::only_where(y == y, value);
 }
 
-}  // namespace elastogen::kernel::inline ELASTOGEN_INSTRUCTION_SET
+}  // namespace ELASTOGEN_INSTRUCTION_SET
+}  // namespace elastogen::kernel

@@ -23,8 +23,10 @@
 #define ELASTOGEN_TEXT_EXPANDED(set) #set
 #define ELASTOGEN_TEXT(set) ELASTOGEN_TEXT_EXPANDED(set)
 
-namespace elastogen::kernel::inline ELASTOGEN_INSTRUCTION_SET {
+namespace elastogen::kernel {
+inline namespace ELASTOGEN_INSTRUCTION_SET {
 
 inline constexpr char instruction_set[] = ELASTOGEN_TEXT(ELASTOGEN_INSTRUCTION_SET);
 
-}  // namespace elastogen::kernel::inline ELASTOGEN_INSTRUCTION_SET
+}  // namespace ELASTOGEN_INSTRUCTION_SET
+}  // namespace elastogen::kernel

@@ -10,7 +10,8 @@
 #include "runtime/kernel_instruction_set.h"
 #include "runtime/nodal_pass.h"
 
-namespace elastogen::kernel::inline ELASTOGEN_INSTRUCTION_SET {
+namespace elastogen::kernel {
+inline namespace ELASTOGEN_INSTRUCTION_SET {
 
 /// Inputs of a kernel as packs; see KernelArguments.
 template <class V>
@@ -109,4 +110,5 @@ inline void run(const KernelArguments<Scalar<V>>& arguments, const Compute& comp
   if (arguments.status != nullptr) report_status(margin, residue.sum(), arguments.status);
 }
 
-}  // namespace elastogen::kernel::inline ELASTOGEN_INSTRUCTION_SET
+}  // namespace ELASTOGEN_INSTRUCTION_SET
+}  // namespace elastogen::kernel

@@ -15,7 +15,8 @@
 #include "runtime/kernel_functions.h"
 #include "runtime/kernel_instruction_set.h"
 
-namespace elastogen::kernel::inline ELASTOGEN_INSTRUCTION_SET {
+namespace elastogen::kernel {
+inline namespace ELASTOGEN_INSTRUCTION_SET {
 
 /// Four doubles: a node, and nothing behind it.
 using Quad = Pack<double, 4>;
@@ -273,4 +274,5 @@ std::uint32_t nodal_pass(const NodalPass<Scalar<V>>& pass) {
   return all;
 }
 
-}  // namespace elastogen::kernel::inline ELASTOGEN_INSTRUCTION_SET
+}  // namespace ELASTOGEN_INSTRUCTION_SET
+}  // namespace elastogen::kernel
