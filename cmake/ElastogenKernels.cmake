@@ -1,4 +1,5 @@
-# elastogen_add_kernels(TARGET ASSOCIATIONS id... [LAWS folder...] [PROFILE name])
+# elastogen_add_kernels(TARGET ASSOCIATIONS id... [LAWS folder...] [PROFILE name]
+#                       [INSTRUCTION_SETS set...])
 #
 # Makes TARGET, a static library of generated kernels:
 #
@@ -11,29 +12,134 @@
 # association depend on the generator and on the file of its law alone: editing a law rebuilds
 # exactly its kernels, and editing a comment in it rebuilds none.
 #
+# Kernels are compiled once for each of INSTRUCTION_SETS; the functions return the tables of the best
+# that the processor has. Not given: ELASTOGEN_KERNEL_INSTRUCTION_SETS.
+#
 # The generator is ELASTOGEN_EXECUTABLE where set, else the target elastogen::elastogen, else the
 # program in PATH. Shipped laws are those beside the folder that this file stands in, in the source
 # tree as installed.
 include_guard()
+include(CheckCXXCompilerFlag)
 
 set(ELASTOGEN_EXECUTABLE "" CACHE FILEPATH
   "Generator; empty: the target elastogen::elastogen, or the program in PATH")
-
-# The processor that builds is taken to be the one that runs; clear -march for others. A batch fills
-# one 64-byte register, which gcc halves unless told.
-set(_elastogen_flags -O3 -march=native -ffp-contract=fast -fno-math-errno -fno-trapping-math
-  -Wno-psabi)
+set(ELASTOGEN_KERNEL_FLAGS -O3 -ffp-contract=fast -fno-math-errno -fno-trapping-math -Wno-psabi
+  CACHE STRING "Compiler options of generated kernels; used for nothing else")
+set(_elastogen_sets native)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  list(APPEND _elastogen_flags -mprefer-vector-width=512)
+  set(_elastogen_sets x86_64 avx2 avx512)
 endif()
-set(ELASTOGEN_KERNEL_FLAGS "${_elastogen_flags}" CACHE STRING
-  "Compiler options of generated kernels; used for nothing else")
+set(ELASTOGEN_KERNEL_INSTRUCTION_SETS ${_elastogen_sets} CACHE STRING
+  "Instruction sets that kernels are compiled for: some of x86_64 avx2 avx512, or native")
 
-# Makes `target`, a static library of kernel sources, compiled with ELASTOGEN_KERNEL_FLAGS.
+# Sets `variable` to the compiler options of an instruction set, after checking that the compiler
+# knows them. A batch fills one 64-byte register of AVX-512, which gcc halves unless told.
+function(_elastogen_instruction_set_options variable set)
+  set(full_width "")
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    set(full_width -mprefer-vector-width=512)
+  endif()
+  set(options_of_native -march=native ${full_width})
+  set(options_of_x86_64 -march=x86-64)
+  set(options_of_avx2 -march=x86-64-v3)
+  set(options_of_avx512 -march=x86-64-v4 ${full_width})
+  if(NOT DEFINED options_of_${set})
+    message(FATAL_ERROR "ELASTOGEN_KERNEL_INSTRUCTION_SETS: '${set}' is no instruction set that "
+      "kernels can be compiled for; give some of x86_64, avx2, avx512, or native")
+  endif()
+  string(REPLACE ";" " " options "${options_of_${set}}")
+  check_cxx_compiler_flag("${options}" ELASTOGEN_COMPILES_FOR_${set})
+  if(NOT ELASTOGEN_COMPILES_FOR_${set})
+    message(FATAL_ERROR "ELASTOGEN_KERNEL_INSTRUCTION_SETS: the compiler "
+      "(${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} for ${CMAKE_SYSTEM_PROCESSOR}) does "
+      "not take '${options}', the options of '${set}'; leave '${set}' out, or give native")
+  endif()
+  set(${variable} "${options_of_${set}}" PARENT_SCOPE)
+endfunction()
+
+# Sets `variable` to the instruction sets in the order of selection, the best one last.
+function(_elastogen_order_instruction_sets variable)
+  set(wanted ${ARGN})
+  set(ordered "")
+  foreach(set IN ITEMS x86_64 avx2 avx512 native)
+    if(set IN_LIST wanted)
+      list(APPEND ordered ${set})
+    endif()
+  endforeach()
+  list(REMOVE_ITEM wanted x86_64 avx2 avx512 native)
+  list(APPEND ordered ${wanted})  # unknown ones: _elastogen_instruction_set_options refuses them
+  list(LENGTH ordered count)
+  if(count EQUAL 0 OR ("native" IN_LIST ordered AND count GREATER 1))
+    string(REPLACE ";" ", " found "${ordered}")
+    message(FATAL_ERROR "ELASTOGEN_KERNEL_INSTRUCTION_SETS: '${found}': give some of x86_64, avx2, "
+      "avx512, or native alone: whether a processor has what was native elsewhere cannot be known")
+  endif()
+  set(${variable} "${ordered}" PARENT_SCOPE)
+endfunction()
+
+# The source that has the function `symbol` choose among the builds for the instruction sets.
+function(_elastogen_write_selection file association symbol scalar)
+  set(declarations "")
+  set(builds "")
+  set(table "const elastogen::KernelTable<${scalar}>*")
+  foreach(set IN LISTS ARGN)
+    string(APPEND declarations "${table} ${symbol}_${set}();\n")
+    string(APPEND builds "      {\"${set}\", ${symbol}_${set}},\n")
+  endforeach()
+  file(CONFIGURE OUTPUT "${file}" CONTENT
+"// Written by elastogen's CMake: which build of the kernels of ${association} is taken.
+#include \"runtime/kernel_selection.h\"
+
+extern \"C\" {
+${declarations}${table} ${symbol}();
+}
+
+${table} ${symbol}() {
+  static ${table} const chosen = elastogen::choose_table<${scalar}>(\"${association}\", {
+${builds}  });
+  return chosen;
+}
+" @ONLY)
+endfunction()
+
+# Makes `target`, a static library of the kernels of ASSOCIATIONS: each of their sources, found by the
+# target's include folders, is compiled once for each instruction set. All objects are of one target,
+# so that what a project asks of it (position-independent code, say) holds for them.
 function(_elastogen_kernel_library target)
-  add_library(${target} STATIC ${ARGN})
+  cmake_parse_arguments(ARG "" "" "ASSOCIATIONS;INSTRUCTION_SETS" ${ARGN})
+  if("${ELASTOGEN_KERNEL_FLAGS}" MATCHES "-march=")
+    message(FATAL_ERROR "ELASTOGEN_KERNEL_FLAGS = '${ELASTOGEN_KERNEL_FLAGS}': leave -march out; "
+      "kernels are compiled for ELASTOGEN_KERNEL_INSTRUCTION_SETS, of which native is -march=native")
+  endif()
+  _elastogen_order_instruction_sets(sets ${ARG_INSTRUCTION_SETS})
+  set(folder "${CMAKE_CURRENT_BINARY_DIR}/${target}/builds")
+  set(scalar_of_f64 double)
+  set(scalar_of_f32 float)
+  set(sources "")
+  foreach(association IN LISTS ARG_ASSOCIATIONS)
+    string(REPLACE "-" "_" identifier ${association})
+    foreach(precision IN ITEMS f64 f32)
+      set(name ${identifier}_${precision})
+      foreach(set IN LISTS sets)
+        _elastogen_instruction_set_options(options ${set})
+        set(source "${folder}/${name}_${set}.cpp")
+        file(CONFIGURE OUTPUT "${source}" CONTENT
+"// Written by elastogen's CMake: kernels of ${association}, compiled for ${set}.
+#define ELASTOGEN_INSTRUCTION_SET ${set}
+#include \"${name}.cpp\"
+" @ONLY)
+        set_source_files_properties("${source}" PROPERTIES
+          COMPILE_OPTIONS "${ELASTOGEN_KERNEL_FLAGS};${options}")
+        list(APPEND sources "${source}")
+      endforeach()
+      set(source "${folder}/${name}_selection.cpp")
+      _elastogen_write_selection("${source}" ${association} elastogen_kernels_${name}_simd
+        ${scalar_of_${precision}} ${sets})
+      list(APPEND sources "${source}")
+    endforeach()
+  endforeach()
+  add_library(${target} STATIC ${sources})
   target_compile_features(${target} PUBLIC cxx_std_20)
-  target_compile_options(${target} PRIVATE ${ELASTOGEN_KERNEL_FLAGS})
   target_link_libraries(${target} PUBLIC elastogen::kernel_headers)
 endfunction()
 
@@ -69,11 +175,14 @@ function(_elastogen_find_law variable law)
 endfunction()
 
 function(elastogen_add_kernels target)
-  cmake_parse_arguments(ARG "" "PROFILE" "ASSOCIATIONS;LAWS" ${ARGN})
+  cmake_parse_arguments(ARG "" "PROFILE" "ASSOCIATIONS;LAWS;INSTRUCTION_SETS" ${ARGN})
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "elastogen_add_kernels: unknown argument '${ARG_UNPARSED_ARGUMENTS}'; "
       "the call is elastogen_add_kernels(TARGET ASSOCIATIONS id... [LAWS folder...] "
-      "[PROFILE name])")
+      "[PROFILE name] [INSTRUCTION_SETS set...])")
+  endif()
+  if(NOT ARG_INSTRUCTION_SETS)
+    set(ARG_INSTRUCTION_SETS ${ELASTOGEN_KERNEL_INSTRUCTION_SETS})
   endif()
   if(NOT ARG_ASSOCIATIONS)
     message(FATAL_ERROR "elastogen_add_kernels(${target}): no ASSOCIATIONS")
@@ -111,10 +220,14 @@ function(elastogen_add_kernels target)
       DEPENDS ${generator} "${law_file}"
       COMMENT "Generating kernels of ${association}"
       VERBATIM)
+    # Compiled by way of the sources that include them, and made before those are compiled.
+    set_source_files_properties(${outputs} PROPERTIES HEADER_FILE_ONLY ON)
     list(APPEND sources ${outputs})
     list(APPEND include_folders "${folder}")
   endforeach()
 
-  _elastogen_kernel_library(${target} ${sources})
+  _elastogen_kernel_library(${target} ASSOCIATIONS ${ARG_ASSOCIATIONS}
+    INSTRUCTION_SETS ${ARG_INSTRUCTION_SETS})
+  target_sources(${target} PRIVATE ${sources})
   target_include_directories(${target} PUBLIC ${include_folders})
 endfunction()

@@ -1,6 +1,6 @@
 # find_package(elastogen): the targets
 #   elastogen::runtime          what a simulator links
-#   elastogen::default_kernels  hooke and stvk on tet4 and hexa8, compiled for the processor that built
+#   elastogen::default_kernels  hooke and stvk on tet4 and hexa8, for every processor of its kind
 #   elastogen::elastogen        the program, unless the package was built without the generator
 # and elastogen_add_kernels(), for kernels of other laws and elements.
 include(CMakeFindDependencyMacro)

@@ -9,7 +9,7 @@
 // quadrature   q8
 // split        none
 // profile      x86-cache
-// hash         b8d1a7f06c8e890347146c8d7429df24
+// hash         ab7f6ac9d1b67c55dcfe8d8363a9603d
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
 // general  constants             582         80      0         192      640          1
@@ -32,9 +32,9 @@
 
 #include "runtime/kernel_support.h"
 
-namespace elastogen::kernels::hooke_hexa8_q8_none {
+namespace elastogen::kernels::hooke_hexa8_q8_none::inline ELASTOGEN_INSTRUCTION_SET {
 
-inline constexpr char hash[] = "b8d1a7f06c8e890347146c8d7429df24";
+inline constexpr char hash[] = "ab7f6ac9d1b67c55dcfe8d8363a9603d";
 inline constexpr int dim = 3;
 inline constexpr int num_nodes = 8;
 inline constexpr int num_points = 8;

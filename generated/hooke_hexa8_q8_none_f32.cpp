@@ -114,12 +114,18 @@ constexpr elastogen::VariantTable<S> variants[] = {{"general", kernels::general:
     kernels::box::reads_positions, box_constants, box_geometry, box_energy, box_forces, box_product,
     box_linearize, box_apply, box_stiffness}};
 constexpr elastogen::KernelTable<S> table = {elastogen::kernel_abi_version,
-    elastogen::kernel::lanes_of<V>, "hooke-hexa8-q8-none", "hexa8", kernels::hash, kernels::dim,
-    kernels::num_nodes, kernels::num_points, 2, parameter_names, elastogen::kernel::nodal_pass<V,
-    kernels::num_nodes, kernels::dim>, 2, variants};
+    elastogen::kernel::lanes_of<V>, "hooke-hexa8-q8-none", "hexa8", kernels::hash,
+    elastogen::kernel::instruction_set, kernels::dim, kernels::num_nodes, kernels::num_points, 2,
+    parameter_names, elastogen::kernel::nodal_pass<V, kernels::num_nodes, kernels::dim>, 2,
+    variants};
 
 }  // namespace
 
-extern "C" const elastogen::KernelTable<S>* elastogen_kernels_hooke_hexa8_q8_none_f32_simd();
-extern "C" const elastogen::KernelTable<S>* elastogen_kernels_hooke_hexa8_q8_none_f32_simd() {
-    return &table; }
+extern "C" {
+const elastogen::KernelTable<S>*
+    ELASTOGEN_TABLE_FUNCTION(elastogen_kernels_hooke_hexa8_q8_none_f32_simd)();
+const elastogen::KernelTable<S>*
+    ELASTOGEN_TABLE_FUNCTION(elastogen_kernels_hooke_hexa8_q8_none_f32_simd)() {
+  return &table;
+}
+}

@@ -9,7 +9,7 @@
 // quadrature   q1
 // split        none
 // profile      x86-cache
-// hash         07b39a1627bb194abac565d6b91e93c7
+// hash         f280e5d7e4a0531d62d5ba88e897bf5a
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
 // general  constants              51         10      0          96       80          1
@@ -24,9 +24,9 @@
 
 #include "runtime/kernel_support.h"
 
-namespace elastogen::kernels::hooke_tet4_q1_none {
+namespace elastogen::kernels::hooke_tet4_q1_none::inline ELASTOGEN_INSTRUCTION_SET {
 
-inline constexpr char hash[] = "07b39a1627bb194abac565d6b91e93c7";
+inline constexpr char hash[] = "f280e5d7e4a0531d62d5ba88e897bf5a";
 inline constexpr int dim = 3;
 inline constexpr int num_nodes = 4;
 inline constexpr int num_points = 1;

@@ -64,12 +64,18 @@ constexpr elastogen::VariantTable<S> variants[] = {{"general", kernels::general:
     general_geometry, general_energy, general_forces, general_product, general_linearize,
     general_apply, general_stiffness}};
 constexpr elastogen::KernelTable<S> table = {elastogen::kernel_abi_version,
-    elastogen::kernel::lanes_of<V>, "hooke-tet4-q1-none", "tet4", kernels::hash, kernels::dim,
-    kernels::num_nodes, kernels::num_points, 2, parameter_names, elastogen::kernel::nodal_pass<V,
-    kernels::num_nodes, kernels::dim>, 1, variants};
+    elastogen::kernel::lanes_of<V>, "hooke-tet4-q1-none", "tet4", kernels::hash,
+    elastogen::kernel::instruction_set, kernels::dim, kernels::num_nodes, kernels::num_points, 2,
+    parameter_names, elastogen::kernel::nodal_pass<V, kernels::num_nodes, kernels::dim>, 1,
+    variants};
 
 }  // namespace
 
-extern "C" const elastogen::KernelTable<S>* elastogen_kernels_hooke_tet4_q1_none_f32_simd();
-extern "C" const elastogen::KernelTable<S>* elastogen_kernels_hooke_tet4_q1_none_f32_simd() { return
-    &table; }
+extern "C" {
+const elastogen::KernelTable<S>*
+    ELASTOGEN_TABLE_FUNCTION(elastogen_kernels_hooke_tet4_q1_none_f32_simd)();
+const elastogen::KernelTable<S>*
+    ELASTOGEN_TABLE_FUNCTION(elastogen_kernels_hooke_tet4_q1_none_f32_simd)() {
+  return &table;
+}
+}

@@ -9,7 +9,7 @@
 // quadrature   q8
 // split        none
 // profile      x86-cache
-// hash         932ca526273a9dec7936c625500089f0
+// hash         a4719175c8241fbc4231ee6ed0d9d087
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
 // general  constants             582         80      0         192      640          1
@@ -32,9 +32,9 @@
 
 #include "runtime/kernel_support.h"
 
-namespace elastogen::kernels::stvk_hexa8_q8_none {
+namespace elastogen::kernels::stvk_hexa8_q8_none::inline ELASTOGEN_INSTRUCTION_SET {
 
-inline constexpr char hash[] = "932ca526273a9dec7936c625500089f0";
+inline constexpr char hash[] = "a4719175c8241fbc4231ee6ed0d9d087";
 inline constexpr int dim = 3;
 inline constexpr int num_nodes = 8;
 inline constexpr int num_points = 8;

@@ -9,7 +9,7 @@
 // quadrature   q1
 // split        none
 // profile      x86-cache
-// hash         0e5c8c9e61d862f4d56e308a9fe157ab
+// hash         c610e2e2bbd574b7e294abc2c414743c
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
 // general  constants              51         10      0          96       80          1
@@ -24,9 +24,9 @@
 
 #include "runtime/kernel_support.h"
 
-namespace elastogen::kernels::stvk_tet4_q1_none {
+namespace elastogen::kernels::stvk_tet4_q1_none::inline ELASTOGEN_INSTRUCTION_SET {
 
-inline constexpr char hash[] = "0e5c8c9e61d862f4d56e308a9fe157ab";
+inline constexpr char hash[] = "c610e2e2bbd574b7e294abc2c414743c";
 inline constexpr int dim = 3;
 inline constexpr int num_nodes = 4;
 inline constexpr int num_points = 1;

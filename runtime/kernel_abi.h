@@ -27,7 +27,7 @@
 
 namespace elastogen {
 
-inline constexpr std::uint32_t kernel_abi_version = 3;
+inline constexpr std::uint32_t kernel_abi_version = 4;
 
 /// Most lanes that a batch may have: one 64-byte vector, 8 doubles or 16 floats. A table has as
 /// many as the vectors that its kernels were compiled for, a power of 2; 1 for scalar kernels.
@@ -119,6 +119,8 @@ struct KernelTable {
   const char* association;  ///< "stvk-hexa8-q8-none"
   const char* element;      ///< "hexa8"
   const char* hash;         ///< content hash of the generated source
+  /// What the kernels are compiled for: "x86_64", "avx2", "avx512", or "native" for other flags.
+  const char* instruction_set;
   std::int32_t dim;
   std::int32_t num_nodes;
   std::int32_t num_points;

@@ -6,13 +6,14 @@
 // went in and outside a function's domain.
 #pragma once
 
-#include <bit>
 #include <cstdint>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
+#include "runtime/kernel_instruction_set.h"
+
 namespace elastogen::kernel {
+inline namespace ELASTOGEN_INSTRUCTION_SET {
 
 /// A vector of numbers, one per element of a batch (GNU vector extension).
 template <class S, int lanes>
@@ -60,6 +61,12 @@ using Integer = typename pack_traits<V>::integer;
 template <class V>
 inline constexpr int lanes_of = pack_traits<V>::lanes;
 
+/// The number of another type that has the same bits.
+template <class To, class From>
+inline To bit_cast(const From& x) {
+  return __builtin_bit_cast(To, x);
+}
+
 namespace functions {
 
 template <class S>
@@ -73,6 +80,7 @@ struct Format<double> {
   static constexpr double ln2_high = 0x1.62e42feep-1;                    // 33 bits: k times it is
   static constexpr double ln2_low = 0x1.a39ef35793c76p-33;               // exact
   static constexpr double to_integer = 0x1.8p52;
+  static constexpr double infinity = __builtin_huge_val(), not_a_number = __builtin_nan("");
   static constexpr double largest_exp = 709.0, smallest_exp = -708.0;
   // (log(1 + f) / s - 2) / s^2 over s^2, f = 2 s / (1 - s): 2/3 + 2/5 s^2 + 2/7 s^4 + ...
   static constexpr double log_series[] = {
@@ -101,6 +109,7 @@ struct Format<float> {
   static constexpr float ln2_high = 0x1.62e4p-1F;
   static constexpr float ln2_low = 0x1.7f7d1cp-20F;
   static constexpr float to_integer = 0x1.8p23F;
+  static constexpr float infinity = __builtin_huge_valf(), not_a_number = __builtin_nanf("");
   static constexpr float largest_exp = 88.0F, smallest_exp = -87.0F;
   static constexpr float log_series[] = {0.66666666554497F, 0.40000121839806F, 0.28550820815961F,
                                          0.23330467216304F};
@@ -126,7 +135,7 @@ inline V to_floating(const Integer<V>& k) {
 template <class V>
 inline V power_of_two(const Integer<V>& k) {
   using F = Format<Scalar<V>>;
-  return std::bit_cast<V>(Integer<V>((k + F::bias) << F::mantissa_bits));
+  return bit_cast<V>(Integer<V>((k + F::bias) << F::mantissa_bits));
 }
 
 template <class V, class S, std::size_t n>
@@ -142,9 +151,9 @@ template <class V>
 struct Scaled {
   explicit Scaled(const V& x) {
     using F = Format<Scalar<V>>;
-    const auto bits = std::bit_cast<Integer<V>>(x > Scalar<V>(0) ? x : V(V{} + Scalar<V>(1)));
+    const auto bits = bit_cast<Integer<V>>(x > Scalar<V>(0) ? x : V(V{} + Scalar<V>(1)));
     k = (bits - F::bits_of_root_half) >> F::mantissa_bits;
-    m = std::bit_cast<V>(Integer<V>(bits - (k << F::mantissa_bits)));
+    m = bit_cast<V>(Integer<V>(bits - (k << F::mantissa_bits)));
   }
   Integer<V> k;
   V m;
@@ -192,7 +201,7 @@ inline LogParts<V> log_parts(const V& x) {
 /// `value` where `inside`, else not a number.
 template <class V, class Mask>
 inline V only_where(const Mask& inside, const V& value) {
-  return inside ? value : V{} + std::numeric_limits<Scalar<V>>::quiet_NaN();
+  return inside ? value : V{} + Format<Scalar<V>>::not_a_number;
 }
 
 }  // namespace functions
@@ -233,8 +242,7 @@ inline V log(const V& x) {
   const auto parts = functions::log_parts(V(scaled.m - Scalar<V>(1)));
   const V n = functions::to_floating<V>(scaled.k);
   const V value = n * F::ln2_high - ((parts.remainder - n * F::ln2_low) - parts.f);
-  return functions::only_where(
-      (x > Scalar<V>(0)) & (x < std::numeric_limits<Scalar<V>>::infinity()), value);
+  return functions::only_where((x > Scalar<V>(0)) & (x < F::infinity), value);
 }
 
 /// exp(y) - 1 - y: 2 ulp; of second order near 0. With y = n ln 2 + r it is
@@ -250,15 +258,14 @@ inline V expm1_remainder(const V& y) {
   const V scaled = inside * inverse_ln2;
   const V shifted = (((y < S(0.5)) & (y > S(-0.5))) ? V{} : scaled) + F::to_integer;
   const V n = shifted - F::to_integer;
-  const Integer<V> k =
-      std::bit_cast<Integer<V>>(shifted) - std::bit_cast<Integer<V>>(V(V{} + F::to_integer));
+  const Integer<V> k = bit_cast<Integer<V>>(shifted) - bit_cast<Integer<V>>(V(V{} + F::to_integer));
   const V r_high = inside - n * F::ln2_high;
   const V r = r_high - n * F::ln2_low;
   const V power = functions::power_of_two<V>(k);
   const V less = power - S(1);
   const V second = r * r * functions::polynomial(r, F::exp_series);
   V value = ((less - n * F::ln2_high) + less * r) + (power * second - n * F::ln2_low);
-  value = y > F::largest_exp ? V{} + std::numeric_limits<S>::infinity() : value;
+  value = y > F::largest_exp ? V{} + F::infinity : value;
   value = y < F::smallest_exp ? V(-S(1) - y) : value;
   return functions::only_where(y == y, value);
 }
@@ -271,14 +278,14 @@ inline V exp(const V& y) {
   constexpr S inverse_ln2 = S(1.442695040888963407);
   const V shifted = y * inverse_ln2 + F::to_integer;
   const V n = shifted - F::to_integer;
-  const Integer<V> k =
-      std::bit_cast<Integer<V>>(shifted) - std::bit_cast<Integer<V>>(V(V{} + F::to_integer));
+  const Integer<V> k = bit_cast<Integer<V>>(shifted) - bit_cast<Integer<V>>(V(V{} + F::to_integer));
   const V r = (y - n * F::ln2_high) - n * F::ln2_low;
   V value = functions::power_of_two<V>(k) *
             (S(1) + (r + r * r * functions::polynomial(r, F::exp_series)));
-  value = y > F::largest_exp ? V{} + std::numeric_limits<S>::infinity() : value;
+  value = y > F::largest_exp ? V{} + F::infinity : value;
   value = y < F::smallest_exp ? V{} : value;
   return functions::only_where(y == y, value);
 }
 
+}  // namespace ELASTOGEN_INSTRUCTION_SET
 }  // namespace elastogen::kernel

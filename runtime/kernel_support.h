@@ -2,15 +2,16 @@
 // ABI's plain arrays to packs. Included by generated code only.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <type_traits>
 
 #include "runtime/kernel_abi.h"
 #include "runtime/kernel_functions.h"
+#include "runtime/kernel_instruction_set.h"
 #include "runtime/nodal_pass.h"
 
 namespace elastogen::kernel {
+inline namespace ELASTOGEN_INSTRUCTION_SET {
 
 /// Inputs of a kernel as packs; see KernelArguments.
 template <class V>
@@ -36,13 +37,19 @@ inline V map(const V& x, const F& f) {
 }
 
 /// x^(1/q), q >= 2; for x > 0.
+inline double scalar_root(double x, int q) {
+  if (q == 2) return __builtin_sqrt(x);
+  if (q == 3) return __builtin_cbrt(x);
+  return __builtin_pow(x, 1 / static_cast<double>(q));
+}
+inline float scalar_root(float x, int q) {
+  if (q == 2) return __builtin_sqrtf(x);
+  if (q == 3) return __builtin_cbrtf(x);
+  return __builtin_powf(x, 1 / static_cast<float>(q));
+}
 template <class V>
 inline V root(const V& x, int q) {
-  return map(x, [q](Scalar<V> a) {
-    if (q == 2) return std::sqrt(a);
-    if (q == 3) return std::cbrt(a);
-    return std::pow(a, Scalar<V>(1) / Scalar<V>(q));
-  });
+  return map(x, [q](Scalar<V> a) { return scalar_root(a, q); });
 }
 
 /// Lanes of `margin` become the smaller of the two; a kernel's margin ends positive where the law
@@ -103,4 +110,5 @@ inline void run(const KernelArguments<Scalar<V>>& arguments, const Compute& comp
   if (arguments.status != nullptr) report_status(margin, residue.sum(), arguments.status);
 }
 
+}  // namespace ELASTOGEN_INSTRUCTION_SET
 }  // namespace elastogen::kernel

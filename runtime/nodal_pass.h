@@ -13,8 +13,10 @@
 
 #include "runtime/kernel_abi.h"
 #include "runtime/kernel_functions.h"
+#include "runtime/kernel_instruction_set.h"
 
 namespace elastogen::kernel {
+inline namespace ELASTOGEN_INSTRUCTION_SET {
 
 /// Four doubles: a node, and nothing behind it.
 using Quad = Pack<double, 4>;
@@ -81,10 +83,11 @@ inline Triple<8> load_nodes<8>(const std::int32_t* dofs, const double* u) {
 /// x and y together and z: a store that reached into the next node would make that one's load wait.
 template <int lanes>
 inline void add_to_nodes(const std::int32_t* dofs, const Triple<lanes>& value, double* sum) {
-  const auto [even, odd] = interleaved(value.x, value.y);
+  // No structured binding: clang 14 does not capture these.
+  const auto pairs = interleaved(value.x, value.y);
   const auto add_lane = [&](auto lane) {
     constexpr int l = lane, pair = l / 2 * 2;
-    const auto& of_two = l % 2 == 0 ? even : odd;
+    const auto& of_two = l % 2 == 0 ? pairs.even : pairs.odd;
     double* const node = sum + dofs[l];
     Pack<double, 2> xy;
     std::memcpy(&xy, node, sizeof xy);
@@ -216,7 +219,7 @@ std::uint32_t nodal_pass(const NodalPass<Scalar<V>>& pass) {
   constexpr bool by_vectors = dim == 3 && lanes >= (std::is_same_v<S, double> ? 4 : 8);
   V displacement[num_dofs], direction[num_dofs], output[num_dofs];
   alignas(64) std::uint32_t flags[lanes] = {};
-  KernelArguments<S> arguments;
+  KernelArguments<S> arguments{};
   arguments.parameters = pass.arguments.parameters;
   arguments.displacement = reinterpret_cast<S*>(displacement);
   arguments.direction = reinterpret_cast<S*>(direction);
@@ -271,4 +274,5 @@ std::uint32_t nodal_pass(const NodalPass<Scalar<V>>& pass) {
   return all;
 }
 
+}  // namespace ELASTOGEN_INSTRUCTION_SET
 }  // namespace elastogen::kernel

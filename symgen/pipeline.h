@@ -123,6 +123,8 @@ void check_association(const AssociationId& id, const Law& law);
 /// C++ source that includes `identifier().h`, instantiates its kernels and exports
 ///   extern "C" const elastogen::KernelTable<S>*
 ///   elastogen_kernels_<identifier>_<f32|f64>_<simd|scalar>();
+/// Where its compiler is told a name by -DELASTOGEN_INSTRUCTION_SET=..., the function's ends in
+/// _<name>.
 [[nodiscard]] std::string registration_source(const AssociationId& id, const Law& law,
                                               const Instantiation& what);
 

@@ -135,7 +135,8 @@ std::string print_cpp_header(const AssociationId& id, const Provenance& provenan
   out.line();
   out.line("#include \"runtime/kernel_support.h\"");
   out.line();
-  out.line(fmt::format("namespace elastogen::kernels::{} {{", id.identifier()));
+  out.line(fmt::format("namespace elastogen::kernels::{}::inline ELASTOGEN_INSTRUCTION_SET {{",
+                       id.identifier()));
   out.line();
   out.line(fmt::format("inline constexpr char hash[] = \"{}\";", provenance.hash));
   out.line(fmt::format("inline constexpr int dim = {};", variants[0].dim));
@@ -251,6 +252,7 @@ std::string print_cpp_registration(const AssociationId& id,
   out.line(
       fmt::format("constexpr elastogen::KernelTable<S> table = {{elastogen::kernel_abi_version, "
                   "elastogen::kernel::lanes_of<V>, \"{}\", \"{}\", kernels::hash, "
+                  "elastogen::kernel::instruction_set, "
                   "kernels::dim, kernels::num_nodes, kernels::num_points, {}, "
                   "parameter_names, "
                   "elastogen::kernel::nodal_pass<V, kernels::num_nodes, kernels::dim>, "
@@ -259,10 +261,16 @@ std::string print_cpp_registration(const AssociationId& id,
   out.line();
   out.line("}  // namespace");
   out.line();
-  out.line(fmt::format("extern \"C\" const elastogen::KernelTable<S>* {}();",
-                       registration_symbol(id, what)));
-  out.line(fmt::format("extern \"C\" const elastogen::KernelTable<S>* {}() {{ return &table; }}",
-                       registration_symbol(id, what)));
+  const std::string function =
+      fmt::format("ELASTOGEN_TABLE_FUNCTION({})", registration_symbol(id, what));
+  out.line("extern \"C\" {");
+  out.line(fmt::format("const elastogen::KernelTable<S>* {}();", function));
+  out.line(fmt::format("const elastogen::KernelTable<S>* {}() {{", function));
+  out.indent();
+  out.line("return &table;");
+  out.outdent();
+  out.line("}");
+  out.line("}");
   return out.take();
 }
 

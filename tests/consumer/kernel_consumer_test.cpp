@@ -7,6 +7,7 @@
 
 #include "cmake_project.h"
 #include "selector/support/files.h"
+#include "tests/instruction_sets/library_members.h"
 
 namespace elastogen::test {
 namespace {
@@ -60,7 +61,14 @@ TEST_F(KernelConsumer, RebuildsExactlyTheKernelsOfAChangedLaw) {
   EXPECT_TRUE(possible.contains(lanes)) << lanes;
   const auto hooke = times("hooke");
   const auto stvk = times("stvk");
-  ASSERT_EQ(hooke.size(), 6U);  // two headers, two sources, two objects
+#if defined(__x86_64__)
+  constexpr std::size_t num_sets = 3;
+#else
+  constexpr std::size_t num_sets = 1;
+#endif
+  // Two headers, two sources; in each precision a source and an object for each set, and for the
+  // choice.
+  ASSERT_EQ(hooke.size(), 4 + 2 * 2 * (num_sets + 1));
 
   // A comment: the generator looks, and touches nothing.
   edit_law("hooke", "name", "# a remark\nname");
@@ -73,6 +81,21 @@ TEST_F(KernelConsumer, RebuildsExactlyTheKernelsOfAChangedLaw) {
   EXPECT_EQ(output.find("stvk-tet4-q1-none"), std::string::npos) << output;
   EXPECT_NE(times("hooke"), hooke);
   EXPECT_EQ(times("stvk"), stvk);
+}
+
+TEST_F(KernelConsumer, HasABuildForEachInstructionSet) {
+  (void)project_->build();
+#if defined(__x86_64__)
+  const selector::ProcessResult run = selector::run_process(
+      {(project_->folder() / "consumer").string()},
+      {.folder = {}, .environment = {{"ELASTOGEN_INSTRUCTION_SET", "x86_64"}}});
+  EXPECT_EQ(run.output, "hooke-tet4-q1-none 2\nstvk-tet4-q1-none 4\n");
+#endif
+  // At -O0 every inline function that is called is a symbol.
+  if (!selector::find_program("nm")) GTEST_SKIP() << "nm is not installed";
+  const auto symbols = defined_symbols((project_->folder() / "libbar_kernels.a").string());
+  EXPECT_GE(symbols.size(), 2U);  // the choice and at least one set
+  expect_disjoint(symbols);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@
 
 #include "runtime/kernel_support.h"
 
-namespace elastogen::kernels::hooke_tet4_q1_none {
+namespace elastogen::kernels::hooke_tet4_q1_none::inline ELASTOGEN_INSTRUCTION_SET {
 
 inline constexpr char hash[] = "HASH";
 inline constexpr int dim = 3;

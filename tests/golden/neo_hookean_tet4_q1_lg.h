@@ -25,7 +25,7 @@
 
 #include "runtime/kernel_support.h"
 
-namespace elastogen::kernels::neo_hookean_tet4_q1_lg {
+namespace elastogen::kernels::neo_hookean_tet4_q1_lg::inline ELASTOGEN_INSTRUCTION_SET {
 
 inline constexpr char hash[] = "HASH";
 inline constexpr int dim = 3;

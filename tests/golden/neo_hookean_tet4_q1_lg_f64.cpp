@@ -45,12 +45,18 @@ constexpr elastogen::VariantTable<S> variants[] = {{"general", kernels::general:
     kernels::general::num_state, kernels::general::reads_positions, general_constants,
     general_geometry, general_energy, general_forces, general_product, nullptr, nullptr, nullptr}};
 constexpr elastogen::KernelTable<S> table = {elastogen::kernel_abi_version,
-    elastogen::kernel::lanes_of<V>, "neo_hookean-tet4-q1-lg", "tet4", kernels::hash, kernels::dim,
-    kernels::num_nodes, kernels::num_points, 2, parameter_names, elastogen::kernel::nodal_pass<V,
-    kernels::num_nodes, kernels::dim>, 1, variants};
+    elastogen::kernel::lanes_of<V>, "neo_hookean-tet4-q1-lg", "tet4", kernels::hash,
+    elastogen::kernel::instruction_set, kernels::dim, kernels::num_nodes, kernels::num_points, 2,
+    parameter_names, elastogen::kernel::nodal_pass<V, kernels::num_nodes, kernels::dim>, 1,
+    variants};
 
 }  // namespace
 
-extern "C" const elastogen::KernelTable<S>* elastogen_kernels_neo_hookean_tet4_q1_lg_f64_simd();
-extern "C" const elastogen::KernelTable<S>* elastogen_kernels_neo_hookean_tet4_q1_lg_f64_simd() {
-    return &table; }
+extern "C" {
+const elastogen::KernelTable<S>*
+    ELASTOGEN_TABLE_FUNCTION(elastogen_kernels_neo_hookean_tet4_q1_lg_f64_simd)();
+const elastogen::KernelTable<S>*
+    ELASTOGEN_TABLE_FUNCTION(elastogen_kernels_neo_hookean_tet4_q1_lg_f64_simd)() {
+  return &table;
+}
+}

@@ -173,6 +173,7 @@ TEST(Model, WorksInThePlane) {
                                      "foundation-tri3-q1-none",
                                      "tri3",
                                      "",
+                                     "native",
                                      2,
                                      3,
                                      1,

@@ -280,6 +280,7 @@ struct ReferenceKernels {
             "stvk-reference",
             Element::name,
             "",
+            "native",
             3,
             n,
             points,

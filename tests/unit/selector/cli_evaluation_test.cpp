@@ -64,6 +64,7 @@ const KernelTable<double>& spring_table() {
                                             "spring-tet4-q1-none",
                                             "tet4",
                                             "",
+                                            "native",
                                             3,
                                             4,
                                             1,
