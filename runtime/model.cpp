@@ -45,6 +45,7 @@ GroupSummary summary_of(const ElementGroup<Scalar>& group) {
   s.element = group.table->element;
   s.geometry = group.kernels->geometry;
   s.scalar = std::is_same_v<Scalar, double> ? "double" : "float";
+  s.instruction_set = group.table->instruction_set;
   s.part = group.part;
   s.at_rest = group.at_rest;
   s.num_elements = group.num_elements;

@@ -78,12 +78,13 @@ struct ModelOptions {
 /// Elements that are computed by the same kernels: one part and one geometry variant, those that
 /// share their constants apart from those that do not.
 struct GroupSummary {
-  std::string association;  ///< "stvk-hexa8-q8-none"
-  std::string element;      ///< "hexa8"
-  std::string geometry;     ///< "general", "affine", "box"
-  std::string scalar;       ///< "double", "float"; with Precision::mixed elements are in both
-  std::size_t part = 0;     ///< index into the model's parts
-  bool at_rest = false;     ///< left out of passes (ModelOptions::held_nodes)
+  std::string association;      ///< "stvk-hexa8-q8-none"
+  std::string element;          ///< "hexa8"
+  std::string geometry;         ///< "general", "affine", "box"
+  std::string scalar;           ///< "double", "float"; with Precision::mixed elements are in both
+  std::string instruction_set;  ///< of the kernels: "native", "avx2" (KernelTable::instruction_set)
+  std::size_t part = 0;         ///< index into the model's parts
+  bool at_rest = false;         ///< left out of passes (ModelOptions::held_nodes)
   std::size_t num_elements = 0;
   std::size_t num_batches = 0;
   std::size_t num_shapes = 0;  ///< sets of grouped constants: fewer than elements where they share

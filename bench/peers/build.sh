@@ -65,5 +65,7 @@ build_once() {
 }
 
 command -v g++ >/dev/null || missing_package g++
-driver_flags=(-std=c++20 -O3 -march=native -ffast-math -DNDEBUG -I "$repository")
+# The last two are those that kernels of elastogen have: they save moves of spilled values.
+driver_flags=(-std=c++20 -O3 -march=native -ffast-math -DNDEBUG -I "$repository"
+  -flive-range-shrinkage -frename-registers)
 if [[ $(uname -m) == x86_64 ]]; then driver_flags+=("-mprefer-vector-width=$(vector_bits)"); fi

@@ -75,6 +75,8 @@ Json associations_json(const RunSummary& summary) {
     Json entry = {{"association", group.association},
                   {"geometry", group.geometry},
                   {"scalar", group.scalar},
+                  {"lanes", group.lanes},
+                  {"instruction_set", group.instruction_set},
                   {"elements", group.num_elements},
                   {"shapes", group.num_shapes},
                   {"constants_per_element", group.num_constants},
