@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(
                     {"skip.sleep.motion = -1e-06: must be greater than 0"}},
         StepMistake{"SleepAtOnce",
                     EXPLICIT "[skip]\nsleep = { motion = 1e-6, steps = 0 }",
-                    {"skip.sleep.steps = 0: must be at least 1"}},
+                    {"skip.sleep.steps = 0: must be an integer, at least 1"}},
         StepMistake{"SkipOfSomethingElse",
                     "[skip]\nrest = true",
                     {"skip.rest", "at_rest, congruent, sleep"}},
