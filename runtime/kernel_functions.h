@@ -1,5 +1,5 @@
-// Elementary functions on scalars and SIMD packs, without branches and calls. Included by
-// kernel_support.h, so by generated code only.
+// Elementary functions on scalars and SIMD packs, without calls and without branches but one: that
+// of logarithms near 1. Included by kernel_support.h, so by generated code only.
 //
 // Errors are bounded in units in the last place of the result, measured against 60 digits over the
 // arguments named (tests/unit/runtime/kernel_functions_test.cpp). Not a number comes out where it
@@ -9,6 +9,9 @@
 #include <cstdint>
 #include <type_traits>
 #include <utility>
+#ifdef __SSE__
+#include <immintrin.h>
+#endif
 
 #include "runtime/kernel_instruction_set.h"
 
@@ -159,6 +162,36 @@ struct Scaled {
   V m;
 };
 
+/// Whether a comparison of packs holds in every lane.
+template <class Mask>
+inline bool all_lanes(const Mask& mask) {
+#ifdef __SSE__
+  if constexpr (sizeof(Mask) == 16) return _mm_movemask_ps(bit_cast<__m128>(mask)) == 0xf;
+#endif
+#ifdef __AVX__
+  if constexpr (sizeof(Mask) == 32) return _mm256_movemask_ps(bit_cast<__m256>(mask)) == 0xff;
+#endif
+#ifdef __AVX512F__
+  if constexpr (sizeof(Mask) == 64) {
+    const __m512i bits = bit_cast<__m512i>(mask);
+    return _mm512_test_epi32_mask(bits, bits) == 0xffff;
+  }
+#endif
+  bool result = true;
+  for (int l = 0; l < lanes_of<Mask>; ++l) result = result && mask[l] != 0;
+  return result;
+}
+
+/// Whether a comparison holds in every lane; of numbers, whether it holds.
+template <class Mask>
+inline bool all(const Mask& mask) {
+  if constexpr (std::is_integral_v<Mask>) {
+    return mask != 0;
+  } else {
+    return all_lanes(mask);
+  }
+}
+
 /// 1 + x = 2^k (1 + f + l) with 1 + f in [sqrt(1/2), sqrt(2)) and l what rounding f has lost:
 /// log(1 + x) = k log 2 + f - (f - log(1 + f)) + l / (1 + f).
 template <class V>
@@ -178,19 +211,25 @@ inline LogParts<V> log_parts(const V& x) {
   using F = Format<Scalar<V>>;
   LogParts<V> parts;
   const V u = Scalar<V>(1) + x;
-  const V back = u - Scalar<V>(1);
-  const V lost = (Scalar<V>(1) - (u - back)) + (x - back);  // 1 + x - u, exactly
-  const Scaled<V> scaled(u);
   parts.one_plus_x = u;
-  parts.k = to_floating<V>(scaled.k);
   // Where k = 0, f is x without any arithmetic: inlined, x may be a product that compilers contract
   // into sums unrounded, once so and once so, and differences of x and f would not be 0.
-  const V whole = scaled.m - Scalar<V>(1);
-  const V rest = lost * power_of_two<V>(-scaled.k);
-  const auto is_near = scaled.k == 0;
-  parts.f = is_near ? x : V(whole + rest);
-  const V low = is_near ? V{} : V((whole - parts.f) + rest);
-  parts.lost = low * (Scalar<V>(1) - parts.f * (Scalar<V>(1) - parts.f));  // 1 / (1 + f), nearly
+  parts.k = V{};
+  parts.f = x;
+  parts.lost = V{};
+  // Almost always so, in every lane: what waits for the logarithm need not wait for the scaling.
+  if (!all((x > Scalar<V>(-0.29)) & (x < Scalar<V>(0.41)))) [[unlikely]] {
+    const V back = u - Scalar<V>(1);
+    const V lost = (Scalar<V>(1) - (u - back)) + (x - back);  // 1 + x - u, exactly
+    const Scaled<V> scaled(u);
+    parts.k = to_floating<V>(scaled.k);
+    const V whole = scaled.m - Scalar<V>(1);
+    const V rest = lost * power_of_two<V>(-scaled.k);
+    const auto is_near = scaled.k == 0;
+    parts.f = is_near ? x : V(whole + rest);
+    const V low = is_near ? V{} : V((whole - parts.f) + rest);
+    parts.lost = low * (Scalar<V>(1) - parts.f * (Scalar<V>(1) - parts.f));  // 1 / (1 + f), nearly
+  }
   const V s = parts.f / (Scalar<V>(2) + parts.f);
   const V z = s * s;
   const V h = Scalar<V>(0.5) * parts.f * parts.f;

@@ -129,5 +129,26 @@ TYPED_TEST(Functions, AreExactAtZeroAndNotANumberOutsideTheirDomain) {
   EXPECT_TRUE(std::isnan(at<V>(&expm1_remainder<V>, nan)));
 }
 
+// Logarithms take a shorter way where all lanes are near 1: a lane's result is the same either way.
+TYPED_TEST(Functions, LanesDoNotDependOnEachOther) {
+  using V = TypeParam;
+  using S = Scalar<V>;
+  constexpr int lanes = static_cast<int>(sizeof(V) / sizeof(S));
+  if constexpr (lanes > 1) {
+    for (const FunctionOf<V> function : {&log1p<V>, &log1p_remainder<V>, &kernel::log<V>}) {
+      for (const S near : {S(1e-12), S(-0.28), S(0.3), S(0.4)}) {
+        V alone, mixed;
+        for (int l = 0; l < lanes; ++l) alone[l] = mixed[l] = near;
+        mixed[lanes - 1] = S(7);
+        const V expected = function(alone), result = function(mixed);
+        for (int l = 0; l + 1 < lanes; ++l) {
+          if (near < 0 && function == &kernel::log<V>) continue;  // not a number
+          EXPECT_EQ(result[l], expected[l]) << near;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace elastogen::kernel
