@@ -2,7 +2,7 @@
 //
 // A pass gathers and adds at the nodes of one element after the other. Where neighbours in the body
 // are far apart in memory, as in meshes whose generator numbered them as they arose, a million
-// tetrahedra take three times as long, ten million nine times (docs/speed.md).
+// tetrahedra take six times as long, ten million nine times (docs/speed.md).
 #pragma once
 
 #include <span>
