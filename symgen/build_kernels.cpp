@@ -10,6 +10,8 @@
 #include "runtime/error.h"
 #include "symgen/dag/differentiate.h"
 #include "symgen/mechanics/reference_gradients.h"
+#include "symgen/passes/absorb_factor.h"
+#include "symgen/passes/balance_numbers.h"
 #include "symgen/passes/cost.h"
 #include "symgen/passes/extract_grouped_constants.h"
 #include "symgen/passes/factor.h"
@@ -47,6 +49,8 @@ Graph simplified(Graph graph, StageLog& log) {
   end("group_stages");
   graph = share_pairs(graph, Stage::state);
   end("share_pairs");
+  graph = balance_numbers(graph);
+  end("balance_numbers");
   return graph;
 }
 
@@ -310,6 +314,7 @@ class Builder {
   void schedule() {
     constants_ = {"constants", static_cast<int>(kernels_.constants.size()), {}, {}};
     constants_.pieces.push_back({kernels_.constants, counting(kernels_.constants.size())});
+    const std::optional<AbsorbedFactor> absorbed = factor_in_constant();
     const Inputs plain = symbols();
     const Inputs of_nodes = inputs_named(node_positions_, Slot::position, Stage::rest);
     Inputs with_constants = plain;
@@ -325,11 +330,12 @@ class Builder {
         if (operation == &apply_) {
           for (const auto& [id, index] : state_index_) inputs[id] = {Slot::state, index};
         }
-        const Piece& each = operation->pieces[k];
+        Piece each = operation->pieces[k];
+        if (absorbed) write_with(*absorbed, *operation, each.roots);
         std::vector<int> outputs = each.outputs;
         outputs.resize(each.roots.size() + each.margins.size(), Output::margin);
-        operation->fragments.push_back(
-            make_fragment(kernels_.dag, values_of(each), outputs, inputs, style));
+        const std::vector<NodeId> values = values_of(each);
+        operation->fragments.push_back(make_fragment(kernels_.dag, values, outputs, inputs, style));
         if (!at_rest && !indices_read(operation->fragments.back(), Slot::position).empty()) {
           kernels_.reads_positions = true;
         }
@@ -407,6 +413,30 @@ class Builder {
     std::vector<NodeId> values = piece.roots;
     values.insert(values.end(), piece.margins.begin(), piece.margins.end());
     return values;
+  }
+
+  /// Energies, forces and products may all be proportional to one constant.
+  std::optional<AbsorbedFactor> factor_in_constant() const {
+    std::vector<NodeId> nodal, energies, margins;
+    for (const auto* operation : {&energy_, &forces_, &product_}) {
+      std::vector<NodeId>& results = operation == &energy_ ? energies : nodal;
+      for (const Piece& each : operation->pieces) {
+        results.insert(results.end(), each.roots.begin(), each.roots.end());
+        margins.insert(margins.end(), each.margins.begin(), each.margins.end());
+      }
+    }
+    return absorb_factor(kernels_.dag, nodal, energies, margins, kernels_.constants);
+  }
+
+  /// What an operation has to compute where one constant has absorbed a factor.
+  void write_with(const AbsorbedFactor& absorbed, const OperationKernels& operation,
+                  std::vector<NodeId>& roots) {
+    if (operation.name == "constants") {
+      roots[absorbed.constant] = kernels_.dag.scale(absorbed.factor, roots[absorbed.constant]);
+    } else if (operation.name == "energy" || is_nodal(operation.name)) {
+      const NumberId inverse = kernels_.dag.numbers().inverse(absorbed.factor);
+      for (NodeId& root : roots) root = kernels_.dag.scale(inverse, root);
+    }
   }
 
   /// The kernel's inputs. A symbol that no kernel needs joins the graph here, unread.

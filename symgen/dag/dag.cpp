@@ -29,6 +29,13 @@ bool same(const Node& a, const Node& b) {
 
 }  // namespace
 
+bool is_multiple(const Dag& dag, const Node& node) {
+  return node.kind == Kind::product &&
+         std::any_of(node.operands.begin(), node.operands.end(), [&](const Operand& operand) {
+           return dag[operand.node].kind == Kind::number;
+         });
+}
+
 bool is_scaled(const Node& node) {
   return node.kind == Kind::sum && node.operands.size() == 1 && node.value == NumberPool::zero;
 }
@@ -206,6 +213,14 @@ NodeId Dag::product_of_groups(std::vector<Operand> operands) {
   const NumberId coefficient = take_numbers_out(operands);
   sort_and_merge(operands);
   return scaled_product(coefficient, std::move(operands));
+}
+
+NodeId Dag::multiple(NumberId factor, NodeId a) {
+  Node node;
+  node.kind = Kind::product;
+  node.operands = {{number(factor), NumberPool::one}, {a, NumberPool::one}};
+  sort_and_merge(node.operands);
+  return intern(std::move(node));
 }
 
 NodeId Dag::function(Function function, NodeId argument) {

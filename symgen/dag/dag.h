@@ -60,6 +60,10 @@ struct Node {
 /// A multiple of another node: a sum of one operand without constant term.
 [[nodiscard]] bool is_scaled(const Node& node);
 
+class Dag;
+/// A multiple that stays one operand of products, from Dag::multiple.
+[[nodiscard]] bool is_multiple(const Dag& dag, const Node& node);
+
 /// A growing graph. Operands always precede the nodes that use them, so ascending ids are a
 /// topological order. Ids depend only on the order of construction: the same calls give the same
 /// graph.
@@ -79,6 +83,9 @@ class Dag {
   [[nodiscard]] NodeId product_of_groups(std::vector<Operand> operands);
   [[nodiscard]] NodeId function(Function function, NodeId argument);
   [[nodiscard]] NodeId scale(NumberId factor, NodeId a) { return sum({{a, factor}}); }
+  /// factor * a as a product with a number, which passes that keep products whole leave whole:
+  /// what is multiplied by it does not become a multiple. `product` takes it apart.
+  [[nodiscard]] NodeId multiple(NumberId factor, NodeId a);
   [[nodiscard]] NodeId add(NodeId a, NodeId b);
   [[nodiscard]] NodeId subtract(NodeId a, NodeId b);
   [[nodiscard]] NodeId multiply(NodeId a, NodeId b);

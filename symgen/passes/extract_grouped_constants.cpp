@@ -108,7 +108,15 @@ bool is_parameter(const Node& node) {
 
 std::vector<NodeId> algorithm6(const Dag& dag, std::span<const NodeId> roots, Stage stage) {
   const std::vector<bool> needed = dag.reachable(roots);
-  const std::vector<bool> read = read_later(dag, roots, stage, needed);
+  std::vector<bool> read = read_later(dag, roots, stage, needed);
+  for (std::size_t i = read.size(); i-- > 0;) {  // what multiples are of stands for them
+    const Node& node = dag[static_cast<NodeId>(i)];
+    if (!read[i] || !is_multiple(dag, node)) continue;
+    read[i] = false;
+    for (const Operand& operand : node.operands) {
+      if (dag[operand.node].kind != Kind::number) read[operand.node] = true;
+    }
+  }
   std::vector<NodeId> stored;
   for (std::size_t i = 0; i < read.size(); ++i) {
     if (read[i] && !is_parameter(dag[static_cast<NodeId>(i)])) {

@@ -200,7 +200,7 @@ class Sharing {
     if (node.kind == Kind::symbol) return dag.symbol(original.symbol_name(id), node.stage);
     const bool touched = node.stage >= from_;
     if (touched && node.kind == Kind::sum) return dag.sum(std::move(node.operands), node.value);
-    if (touched && node.kind == Kind::product) {
+    if (touched && node.kind == Kind::product && !is_multiple(dag, node)) {
       return dag.product_of_groups(std::move(node.operands));
     }
     return dag.intern(std::move(node));

@@ -5,6 +5,8 @@
 #include <functional>
 
 #include "random_graph.h"
+#include "symgen/passes/absorb_factor.h"
+#include "symgen/passes/balance_numbers.h"
 #include "symgen/passes/cost.h"
 #include "symgen/passes/factor.h"
 #include "symgen/passes/group_stages.h"
@@ -52,9 +54,11 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(NamedPass{"factor", factor}, NamedPass{"group_stages", group_stages},
                       NamedPass{"share_pairs",
                                 [](const Graph& g) { return share_pairs(g, Stage::literal); }},
+                      NamedPass{"balance_numbers", balance_numbers},
                       NamedPass{"all",
                                 [](const Graph& g) {
-                                  return share_pairs(group_stages(factor(g)), Stage::state);
+                                  return balance_numbers(
+                                      share_pairs(group_stages(factor(g)), Stage::state));
                                 }}),
     [](const auto& info) { return info.param.name; });
 
@@ -78,6 +82,61 @@ TEST(Factor, TakesOutTheCommonFactor) {
                           {dag.multiply(x, w), NumberPool::one}})};
   EXPECT_EQ(total_flops(graph), 5);
   EXPECT_EQ(total_flops(factor(graph)), 3);
+}
+
+struct Numbers : ::testing::Test {
+  Graph graph;
+  Dag& dag = graph.dag;
+  NodeId x = dag.symbol("x", Stage::state), y = dag.symbol("y", Stage::state);
+  NodeId p = dag.symbol("p", Stage::material), volume = dag.symbol("volume", Stage::rest);
+  NodeId stiffness = dag.multiply(p, volume);
+
+  [[nodiscard]] NumberId n(long numerator, long denominator = 1) const {
+    return dag.numbers().intern(ExactNumber(cln::cl_RA(numerator) / cln::cl_I(denominator)));
+  }
+  /// factor * constant * value, the constant a factor of its own.
+  [[nodiscard]] NodeId times(NumberId factor, NodeId constant, NodeId value) {
+    const NodeId product =
+        dag.product_of_groups({{constant, NumberPool::one}, {value, NumberPool::one}});
+    return dag.scale(factor, product);
+  }
+};
+
+TEST_F(Numbers, GoIntoFactorsKnownAtRestWhereThatSaves) {
+  // 2 k x + y, 2 k y + x, (x + 2 k (x + y)) / 2: with 2 k only the last number is left.
+  graph.roots = {dag.add(times(n(2), stiffness, x), y), dag.add(times(n(2), stiffness, y), x),
+                 dag.add(dag.scale(n(1, 2), x), times(n(1), stiffness, dag.add(x, y)))};
+  const long before = total_flops(graph);
+  const Graph balanced = balance_numbers(graph);
+  EXPECT_EQ(total_flops(balanced), before - 3 + 1);
+  // What passes do after it leaves the multiple whole.
+  EXPECT_EQ(total_flops(share_pairs(balanced, Stage::material)), before - 3 + 1);
+}
+
+TEST_F(Numbers, StayWhereTheyAreWhereNothingIsSaved) {
+  graph.roots = {dag.add(times(n(2), stiffness, x), y), dag.add(times(n(1), stiffness, y), x)};
+  EXPECT_EQ(total_flops(balance_numbers(graph)), total_flops(graph));
+}
+
+TEST_F(Numbers, InFrontOfAllResultsGoIntoTheConstantThatAllAreProportionalTo) {
+  const NodeId margin = dag.sum({{x, n(1)}}, n(1));
+  const std::vector<NodeId> nodal = {
+      times(n(1, 6), stiffness, x),
+      times(n(-1, 6), stiffness, dag.add(x, times(n(3), p, dag.multiply(x, y))))};
+  const std::vector<NodeId> energy = {times(n(1, 12), stiffness, dag.multiply(x, x))};
+  const std::vector<NodeId> constants = {dag.symbol("gradient", Stage::rest), volume};
+  const auto found = absorb_factor(dag, nodal, energy, {{margin}}, constants);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->constant, 1U);
+  EXPECT_EQ(found->factor, n(1, 6));
+
+  // Not: the energy has a part that does not depend on it, the domain does, factors differ.
+  EXPECT_FALSE(absorb_factor(dag, nodal, {{dag.add(energy[0], x)}}, {{margin}}, constants));
+  EXPECT_FALSE(absorb_factor(dag, nodal, energy, {{dag.add(margin, volume)}}, constants));
+  EXPECT_FALSE(absorb_factor(dag, {{nodal[0], times(n(1, 3), stiffness, y)}}, energy, {{margin}},
+                             constants));
+  EXPECT_FALSE(absorb_factor(dag, {{times(n(1, 6), stiffness, dag.multiply(volume, x))}}, energy,
+                             {{margin}}, constants));
 }
 
 TEST(SharePairs, SharesPairsOfEqualRatio) {
