@@ -9,7 +9,7 @@
 // quadrature   q8
 // split        none
 // profile      x86-cache
-// hash         ab7f6ac9d1b67c55dcfe8d8363a9603d
+// hash         51f3f4da6b1632319ee565c00618bb6e
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
 // general  constants             582         80      0         192      640          1
@@ -34,7 +34,7 @@
 
 namespace elastogen::kernels::hooke_hexa8_q8_none::inline ELASTOGEN_INSTRUCTION_SET {
 
-inline constexpr char hash[] = "ab7f6ac9d1b67c55dcfe8d8363a9603d";
+inline constexpr char hash[] = "51f3f4da6b1632319ee565c00618bb6e";
 inline constexpr int dim = 3;
 inline constexpr int num_nodes = 8;
 inline constexpr int num_points = 8;
@@ -44,6 +44,8 @@ namespace general {
 inline constexpr int num_constants = 80;
 inline constexpr int num_state = 0;
 inline constexpr bool reads_positions = false;
+inline constexpr int batches_at_once = 1;
+inline constexpr KernelCosts costs = {1396, 0, 1396};
 
 /// gradients in reference coordinates at all points, of nodal values u: 246 flops
 template <class V>
@@ -457,6 +459,8 @@ inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
     constants_at_point<V>(kernel::Inputs<V>{dx + 9 * g, p, c, u, v, s}, out + 10 * g, margin);
   }
 }
+
+using constants_steps = kernel::NoSteps;
 
 /// geometry: 1184 flops per element
 template <class V>
@@ -908,6 +912,8 @@ inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unuse
   out[23] = S(1.1133036149792012e-05) * t717;
 }
 
+using geometry_steps = kernel::NoSteps;
+
 /// energy: 69 flops per element and point
 template <class V>
 inline void energy_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
@@ -949,6 +955,8 @@ inline void energy([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]
   }
   weigh<V>(kernel::Inputs<V>{x, p, c, result, v, s}, out, margin);
 }
+
+using energy_steps = kernel::NoSteps;
 
 /// forces: 110 flops per element and point
 template <class V>
@@ -1014,6 +1022,8 @@ inline void forces([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]
   integrate<V>(kernel::Inputs<V>{x, p, c, result, v, s}, out, margin);
 }
 
+using forces_steps = kernel::NoSteps;
+
 /// product: 110 flops per element and point
 template <class V>
 inline void product_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
@@ -1078,6 +1088,8 @@ inline void product([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused
   integrate<V>(kernel::Inputs<V>{x, p, c, result, v, s}, out, margin);
 }
 
+using product_steps = kernel::NoSteps;
+
 /// linearize: 0 flops per element and point
 template <class V>
 inline void linearize_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V*
@@ -1096,6 +1108,8 @@ inline void linearize([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
     linearize_at_point<V>(kernel::Inputs<V>{x, p, c + 10 * g, u, v, s}, out + 0 * g, margin);
   }
 }
+
+using linearize_steps = kernel::NoSteps;
 
 /// apply: 110 flops per element and point
 template <class V>
@@ -1161,6 +1175,8 @@ inline void apply([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]]
   integrate<V>(kernel::Inputs<V>{x, p, c, result, v, s}, out, margin);
 }
 
+using apply_steps = kernel::NoSteps;
+
 /// stiffness: linearize once, apply along every unit direction; K = -product
 template <class V>
 inline void stiffness([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
@@ -1178,6 +1194,8 @@ inline void stiffness([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   }
 }
 
+using stiffness_steps = kernel::NoSteps;
+
 }  // namespace general
 
 namespace box {
@@ -1185,6 +1203,8 @@ namespace box {
 inline constexpr int num_constants = 4;
 inline constexpr int num_state = 0;
 inline constexpr bool reads_positions = false;
+inline constexpr int batches_at_once = most_batches_at_once;
+inline constexpr KernelCosts costs = {673, 0, 673};
 
 /// constants: 8 flops per element
 template <class V>
@@ -1205,6 +1225,8 @@ inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   out[2] = t6;
   out[3] = t7;
 }
+
+using constants_steps = kernel::NoSteps;
 
 /// geometry: 29 flops per element
 template <class V>
@@ -1242,6 +1264,8 @@ inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unuse
   out[22] = -S(0.125) * t4;
   out[23] = -S(0.125) * t4;
 }
+
+using geometry_steps = kernel::NoSteps;
 
 /// energy: 409 flops per element
 template <class V>
@@ -1463,6 +1487,8 @@ inline void energy([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]
   const V t237 = t0 * t204 + t234 * t235;
   out[0] = -S(0.02418090838589498) * t237;
 }
+
+using energy_steps = kernel::NoSteps;
 
 /// forces: 678 flops per element
 template <class V>
@@ -1893,6 +1919,8 @@ inline void forces([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]
   out[23] = -S(0.0037215165615433711) * t420;
 }
 
+using forces_steps = kernel::NoSteps;
+
 /// product: 673 flops per element
 template <class V>
 inline void product([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
@@ -2322,6 +2350,8 @@ inline void product([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused
   out[23] = -S(0.0037215165615433711) * t420;
 }
 
+using product_steps = kernel::NoSteps;
+
 /// linearize: 0 flops per element
 template <class V>
 inline void linearize([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
@@ -2329,6 +2359,8 @@ inline void linearize([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   using S [[maybe_unused]] = kernel::Scalar<V>;
   [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
 }
+
+using linearize_steps = kernel::NoSteps;
 
 /// apply: 673 flops per element
 template <class V>
@@ -2759,6 +2791,8 @@ inline void apply([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]]
   out[23] = -S(0.0037215165615433711) * t420;
 }
 
+using apply_steps = kernel::NoSteps;
+
 /// stiffness: linearize once, apply along every unit direction; K = -product
 template <class V>
 inline void stiffness([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
@@ -2775,6 +2809,8 @@ inline void stiffness([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
     for (int i = 0; i < 24; ++i) out[i * 24 + j] = -column[i];
   }
 }
+
+using stiffness_steps = kernel::NoSteps;
 
 }  // namespace box
 

@@ -9,110 +9,114 @@ using V = elastogen::kernel::DoublePack;
 using Arguments = elastogen::KernelArguments<S>;
 [[maybe_unused]] constexpr int num_dofs = kernels::num_nodes * kernels::dim;
 
-void general_constants(const Arguments& arguments) {
-  elastogen::kernel::run<V, kernels::general::num_constants>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void general_constants(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, kernels::general::num_constants, kernels::general::constants_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::general::constants<V>(in, out, margin);
       });
 }
-void general_geometry(const Arguments& arguments) {
-  elastogen::kernel::run<V, 2 * kernels::num_nodes + kernels::num_points>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void general_geometry(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, 2 * kernels::num_nodes + kernels::num_points,
+      kernels::general::geometry_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::general::geometry<V>(in, out, margin);
       });
 }
-void general_energy(const Arguments& arguments) {
-  elastogen::kernel::run<V, 1>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void general_energy(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, 1, kernels::general::energy_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::general::energy<V>(in, out, margin);
       });
 }
-void general_forces(const Arguments& arguments) {
-  elastogen::kernel::run<V, num_dofs>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void general_forces(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, num_dofs, kernels::general::forces_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::general::forces<V>(in, out, margin);
       });
 }
-void general_product(const Arguments& arguments) {
-  elastogen::kernel::run<V, num_dofs>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void general_product(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, num_dofs, kernels::general::product_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::general::product<V>(in, out, margin);
       });
 }
-void general_linearize(const Arguments& arguments) {
-  elastogen::kernel::run<V, kernels::general::num_state>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void general_linearize(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, kernels::general::num_state, kernels::general::linearize_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::general::linearize<V>(in, out, margin);
       });
 }
-void general_apply(const Arguments& arguments) {
-  elastogen::kernel::run<V, num_dofs>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void general_apply(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, num_dofs, kernels::general::apply_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::general::apply<V>(in, out, margin);
       });
 }
-void general_stiffness(const Arguments& arguments) {
-  elastogen::kernel::run<V, num_dofs * num_dofs>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void general_stiffness(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, num_dofs * num_dofs, kernels::general::stiffness_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::general::stiffness<V>(in, out, margin);
       });
 }
-void box_constants(const Arguments& arguments) {
-  elastogen::kernel::run<V, kernels::box::num_constants>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void box_constants(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, kernels::box::num_constants, kernels::box::constants_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::box::constants<V>(in, out, margin);
       });
 }
-void box_geometry(const Arguments& arguments) {
-  elastogen::kernel::run<V, 2 * kernels::num_nodes + kernels::num_points>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void box_geometry(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, 2 * kernels::num_nodes + kernels::num_points,
+      kernels::box::geometry_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::box::geometry<V>(in, out, margin);
       });
 }
-void box_energy(const Arguments& arguments) {
-  elastogen::kernel::run<V, 1>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void box_energy(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, 1, kernels::box::energy_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::box::energy<V>(in, out, margin);
       });
 }
-void box_forces(const Arguments& arguments) {
-  elastogen::kernel::run<V, num_dofs>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void box_forces(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, num_dofs, kernels::box::forces_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::box::forces<V>(in, out, margin);
       });
 }
-void box_product(const Arguments& arguments) {
-  elastogen::kernel::run<V, num_dofs>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void box_product(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, num_dofs, kernels::box::product_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::box::product<V>(in, out, margin);
       });
 }
-void box_linearize(const Arguments& arguments) {
-  elastogen::kernel::run<V, kernels::box::num_state>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void box_linearize(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, kernels::box::num_state, kernels::box::linearize_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::box::linearize<V>(in, out, margin);
       });
 }
-void box_apply(const Arguments& arguments) {
-  elastogen::kernel::run<V, num_dofs>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void box_apply(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, num_dofs, kernels::box::apply_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::box::apply<V>(in, out, margin);
       });
 }
-void box_stiffness(const Arguments& arguments) {
-  elastogen::kernel::run<V, num_dofs * num_dofs>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void box_stiffness(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, num_dofs * num_dofs, kernels::box::stiffness_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::box::stiffness<V>(in, out, margin);
       });
 }
 
 constexpr const char* parameter_names[] = {"lambda", "mu", nullptr};
 constexpr elastogen::VariantTable<S> variants[] = {{"general", kernels::general::num_constants,
-    kernels::general::num_state, kernels::general::reads_positions, general_constants,
-    general_geometry, general_energy, general_forces, general_product, general_linearize,
-    general_apply, general_stiffness}, {"box", kernels::box::num_constants, kernels::box::num_state,
-    kernels::box::reads_positions, box_constants, box_geometry, box_energy, box_forces, box_product,
-    box_linearize, box_apply, box_stiffness}};
+    kernels::general::num_state, kernels::general::reads_positions,
+    kernels::general::batches_at_once, kernels::general::costs, general_constants, general_geometry,
+    general_energy, general_forces, general_product, general_linearize, general_apply,
+    general_stiffness}, {"box", kernels::box::num_constants, kernels::box::num_state,
+    kernels::box::reads_positions, kernels::box::batches_at_once, kernels::box::costs,
+    box_constants, box_geometry, box_energy, box_forces, box_product, box_linearize, box_apply,
+    box_stiffness}};
 constexpr elastogen::KernelTable<S> table = {elastogen::kernel_abi_version,
     elastogen::kernel::lanes_of<V>, "hooke-hexa8-q8-none", "hexa8", kernels::hash,
     elastogen::kernel::instruction_set, kernels::dim, kernels::num_nodes, kernels::num_points, 2,

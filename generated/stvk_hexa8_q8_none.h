@@ -9,20 +9,20 @@
 // quadrature   q8
 // split        none
 // profile      x86-cache
-// hash         a4719175c8241fbc4231ee6ed0d9d087
+// hash         784a838d5fdb9b7d51b3313928274472
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
 // general  constants             582         80      0         192      640          1
 // general  geometry             1184          0      0         192      192          1
 // general  energy               1077         80      0         832        8          1
-// general  forces               2260         80      0         832      192          1
-// general  product              3898         80      0        1024      192          1
-// general  linearize            1006         80    120         832      960          1
-// general  apply                2956         80    120        1792      192          1
-// general  stiffness           71950         80    120         832     4608          1
+// general  forces               2052         80      0         832      192          1
+// general  product              3666         80      0        1024      192          1
+// general  linearize             990         80    120         832      960          1
+// general  apply                2748         80    120        1792      192          1
+// general  stiffness           66942         80    120         832     4608          1
 // box      constants              11          4      0         192       32          1
 // box      geometry               29          0      0          48      192          1
-// box      energy                885          4      0         224        8          1
+// box      energy                877          4      0         224        8          1
 // box      forces               1684          4      0         224      192          1
 // box      product              3034          4      0         416      192          1
 // box      linearize             838          4    120         224      960          1
@@ -34,7 +34,7 @@
 
 namespace elastogen::kernels::stvk_hexa8_q8_none::inline ELASTOGEN_INSTRUCTION_SET {
 
-inline constexpr char hash[] = "a4719175c8241fbc4231ee6ed0d9d087";
+inline constexpr char hash[] = "784a838d5fdb9b7d51b3313928274472";
 inline constexpr int dim = 3;
 inline constexpr int num_nodes = 8;
 inline constexpr int num_points = 8;
@@ -44,6 +44,8 @@ namespace general {
 inline constexpr int num_constants = 80;
 inline constexpr int num_state = 120;
 inline constexpr bool reads_positions = false;
+inline constexpr int batches_at_once = 1;
+inline constexpr KernelCosts costs = {3666, 990, 2748};
 
 /// gradients in reference coordinates at all points, of nodal values u: 246 flops
 template <class V>
@@ -457,6 +459,8 @@ inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
     constants_at_point<V>(kernel::Inputs<V>{dx + 9 * g, p, c, u, v, s}, out + 10 * g, margin);
   }
 }
+
+using constants_steps = kernel::NoSteps;
 
 /// geometry: 1184 flops per element
 template <class V>
@@ -908,6 +912,8 @@ inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unuse
   out[23] = S(1.1133036149792012e-05) * t717;
 }
 
+using geometry_steps = kernel::NoSteps;
+
 /// energy: 103 flops per element and point
 template <class V>
 inline void energy_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
@@ -959,7 +965,9 @@ inline void energy([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]
   weigh<V>(kernel::Inputs<V>{x, p, c, result, v, s}, out, margin);
 }
 
-/// forces: 218 flops per element and point
+using energy_steps = kernel::NoSteps;
+
+/// forces: 192 flops per element and point
 template <class V>
 inline void forces_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -983,55 +991,56 @@ inline void forces_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[mayb
   const V t52 = t39 * t39 + t44 * t45 + t50 * t50;
   const V t53 = t16 + t35 + t52;
   const V t54 = p[0] * c[0];
-  const V t55 = t53 * t54;
-  const V t56 = t55 + S(2) * t16 * t17;
-  const V t58 = t44 + S(1);
-  const V t61 = t8 + S(1);
-  const V t63 = t3 * t58 + t14 * t50 + t39 * t61;
-  const V t65 = t27 + S(1);
-  const V t69 = t14 * t65 + t3 * t33 + t22 * t61;
-  const V t71 = t58 * t63 + t33 * t69;
-  const V t73 = t3 * t56 + S(2) * t17 * t71;
-  const V t76 = t55 + S(2) * t17 * t35;
-  const V t82 = t33 * t58 + t22 * t39 + t50 * t65;
-  const V t84 = t3 * t69 + t58 * t82;
-  const V t86 = t33 * t76 + S(2) * t17 * t84;
-  const V t89 = t55 + S(2) * t17 * t52;
-  const V t93 = t3 * t63 + t33 * t82;
-  const V t95 = t17 * t93 + S(0.5) * t58 * t89;
-  const V t97 = c[7] * t73 + c[4] * t86 + S(2) * c[1] * t95;
-  const V t101 = c[8] * t73 + c[5] * t86 + S(2) * c[2] * t95;
-  const V t105 = c[9] * t73 + c[6] * t86 + S(2) * c[3] * t95;
-  const V t109 = t14 * t69 + t50 * t82;
-  const V t111 = t17 * t109 + S(0.5) * t65 * t76;
-  const V t115 = t50 * t63 + t65 * t69;
-  const V t118 = t14 * t56 + S(2) * t17 * t115;
-  const V t122 = t14 * t63 + t65 * t82;
-  const V t125 = t50 * t89 + S(2) * t17 * t122;
-  const V t127 = c[7] * t118 + c[1] * t125 + S(2) * c[4] * t111;
-  const V t131 = c[8] * t118 + c[2] * t125 + S(2) * c[5] * t111;
-  const V t135 = c[9] * t118 + c[3] * t125 + S(2) * c[6] * t111;
-  const V t138 = t61 * t69 + t39 * t82;
-  const V t141 = t22 * t76 + S(2) * t17 * t138;
-  const V t145 = t22 * t82 + t61 * t63;
-  const V t148 = t39 * t89 + S(2) * t17 * t145;
-  const V t152 = t39 * t63 + t22 * t69;
-  const V t155 = t17 * t152 + S(0.5) * t56 * t61;
-  const V t157 = c[7] * t155 + S(0.5) * (c[4] * t141 + c[1] * t148);
-  const V t161 = c[8] * t155 + S(0.5) * (c[5] * t141 + c[2] * t148);
-  const V t165 = c[9] * t155 + S(0.5) * (c[6] * t141 + c[3] * t148);
-  out[0] = S(0.5) * t97;
-  out[1] = S(0.5) * t101;
-  out[2] = S(0.5) * t105;
-  out[3] = S(0.5) * t127;
-  out[4] = S(0.5) * t131;
-  out[5] = S(0.5) * t135;
-  out[6] = t157;
-  out[7] = t161;
-  out[8] = t165;
+  const V t55 = S(0.5) * t54;
+  const V t56 = t53 * t55;
+  const V t57 = t16 * t17 + t56;
+  const V t59 = t44 + S(1);
+  const V t62 = t8 + S(1);
+  const V t64 = t3 * t59 + t14 * t50 + t39 * t62;
+  const V t66 = t27 + S(1);
+  const V t70 = t14 * t66 + t3 * t33 + t22 * t62;
+  const V t72 = t59 * t64 + t33 * t70;
+  const V t74 = t3 * t57 + t17 * t72;
+  const V t80 = t33 * t59 + t22 * t39 + t50 * t66;
+  const V t82 = t3 * t70 + t59 * t80;
+  const V t85 = t56 + t17 * t35;
+  const V t87 = t17 * t82 + t33 * t85;
+  const V t91 = t3 * t64 + t33 * t80;
+  const V t94 = t56 + t17 * t52;
+  const V t96 = t17 * t91 + t59 * t94;
+  const V t98 = c[7] * t74 + c[4] * t87 + c[1] * t96;
+  const V t102 = c[8] * t74 + c[5] * t87 + c[2] * t96;
+  const V t106 = c[9] * t74 + c[6] * t87 + c[3] * t96;
+  const V t110 = t14 * t70 + t50 * t80;
+  const V t112 = t66 * t85 + t17 * t110;
+  const V t117 = t50 * t64 + t66 * t70;
+  const V t119 = t14 * t57 + t17 * t117;
+  const V t123 = t14 * t64 + t66 * t80;
+  const V t126 = t17 * t123 + t50 * t94;
+  const V t128 = c[4] * t112 + c[7] * t119 + c[1] * t126;
+  const V t132 = c[5] * t112 + c[8] * t119 + c[2] * t126;
+  const V t136 = c[6] * t112 + c[9] * t119 + c[3] * t126;
+  const V t139 = t39 * t64 + t22 * t70;
+  const V t142 = t17 * t139 + t57 * t62;
+  const V t147 = t62 * t70 + t39 * t80;
+  const V t149 = t22 * t85 + t17 * t147;
+  const V t154 = t22 * t80 + t62 * t64;
+  const V t156 = t39 * t94 + t17 * t154;
+  const V t158 = c[7] * t142 + c[4] * t149 + c[1] * t156;
+  const V t162 = c[8] * t142 + c[5] * t149 + c[2] * t156;
+  const V t166 = c[9] * t142 + c[6] * t149 + c[3] * t156;
+  out[0] = t98;
+  out[1] = t102;
+  out[2] = t106;
+  out[3] = t128;
+  out[4] = t132;
+  out[5] = t136;
+  out[6] = t158;
+  out[7] = t162;
+  out[8] = t166;
 }
 
-/// forces: 2260 flops per element
+/// forces: 2052 flops per element
 template <class V>
 inline void forces([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -1047,138 +1056,141 @@ inline void forces([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]
   integrate<V>(kernel::Inputs<V>{x, p, c, result, v, s}, out, margin);
 }
 
-/// product: 392 flops per element and point
+using forces_steps = kernel::NoSteps;
+
+/// product: 363 flops per element and point
 template <class V>
 inline void product_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
   using S [[maybe_unused]] = kernel::Scalar<V>;
   [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
-  const V t3 = c[1] * v[0] + c[3] * v[2] + c[2] * v[1];
-  const V t7 = c[4] * u[6] + c[5] * u[7] + c[6] * u[8];
-  const V t12 = c[5] * u[4] + c[4] * u[3] + c[6] * u[5];
-  const V t13 = t12 + S(2);
-  const V t18 = c[6] * u[2] + c[5] * u[1] + c[4] * u[0];
-  const V t20 = t7 * t7 + t12 * t13 + t18 * t18;
-  const V t24 = c[1] * u[6] + c[2] * u[7] + c[3] * u[8];
-  const V t29 = c[3] * u[2] + c[2] * u[1] + c[1] * u[0];
-  const V t30 = t29 + S(2);
-  const V t35 = c[2] * u[4] + c[1] * u[3] + c[3] * u[5];
-  const V t37 = t24 * t24 + t29 * t30 + t35 * t35;
-  const V t41 = c[9] * u[2] + c[8] * u[1] + c[7] * u[0];
-  const V t46 = c[7] * u[6] + c[8] * u[7] + c[9] * u[8];
-  const V t47 = t46 + S(2);
-  const V t52 = c[8] * u[4] + c[7] * u[3] + c[9] * u[5];
-  const V t54 = t41 * t41 + t46 * t47 + t52 * t52;
-  const V t55 = t20 + t37 + t54;
-  const V t56 = p[0] * c[0];
-  const V t57 = t55 * t56;
-  const V t58 = p[1] * c[0];
-  const V t60 = t57 + S(2) * t37 * t58;
-  const V t62 = t29 + t30;
-  const V t67 = c[1] * v[6] + c[3] * v[8] + c[2] * v[7];
-  const V t72 = c[2] * v[4] + c[1] * v[3] + c[3] * v[5];
-  const V t74 = t24 * t67 + t35 * t72 + S(0.5) * t3 * t62;
-  const V t76 = t46 + t47;
-  const V t80 = c[7] * v[6] + c[9] * v[8] + c[8] * v[7];
-  const V t85 = c[7] * v[0] + c[9] * v[2] + c[8] * v[1];
-  const V t90 = c[8] * v[4] + c[7] * v[3] + c[9] * v[5];
-  const V t92 = t41 * t85 + t52 * t90 + S(0.5) * t76 * t80;
-  const V t93 = t12 + t13;
-  const V t97 = c[5] * v[4] + c[4] * v[3] + c[6] * v[5];
-  const V t102 = c[4] * v[0] + c[6] * v[2] + c[5] * v[1];
-  const V t107 = c[4] * v[6] + c[6] * v[8] + c[5] * v[7];
-  const V t109 = t18 * t102 + t7 * t107 + S(0.5) * t93 * t97;
-  const V t110 = t74 + t92 + t109;
-  const V t111 = t56 * t110;
-  const V t112 = t111 + S(2) * t58 * t74;
-  const V t113 = t29 + S(1);
-  const V t115 = t3 * t60 + S(2) * t112 * t113;
-  const V t118 = t52 * t72 + t35 * t90;
-  const V t119 = t46 + S(1);
-  const V t122 = t67 * t119 + t24 * t80;
-  const V t125 = t85 * t113 + t3 * t41;
-  const V t126 = t118 + t122 + t125;
-  const V t131 = t41 * t113 + t35 * t52 + t24 * t119;
-  const V t133 = t41 * t126 + t85 * t131;
-  const V t134 = t12 + S(1);
-  const V t137 = t72 * t134 + t35 * t97;
-  const V t140 = t102 * t113 + t3 * t18;
-  const V t143 = t7 * t67 + t24 * t107;
-  const V t144 = t137 + t140 + t143;
-  const V t149 = t18 * t113 + t7 * t24 + t35 * t134;
-  const V t151 = t18 * t144 + t102 * t149;
-  const V t152 = t133 + t151;
-  const V t154 = t58 * t152 + S(0.5) * t115;
-  const V t158 = t90 * t134 + t52 * t97;
-  const V t161 = t41 * t102 + t18 * t85;
-  const V t164 = t107 * t119 + t7 * t80;
-  const V t165 = t158 + t161 + t164;
-  const V t170 = t52 * t134 + t18 * t41 + t7 * t119;
-  const V t172 = t41 * t165 + t85 * t170;
-  const V t175 = t113 * t144 + t3 * t149;
-  const V t176 = t172 + t175;
-  const V t179 = t111 + S(2) * t58 * t109;
-  const V t182 = t57 + S(2) * t20 * t58;
-  const V t184 = t102 * t182 + S(2) * t18 * t179;
-  const V t185 = t184 + S(2) * t58 * t176;
-  const V t188 = t111 + S(2) * t58 * t92;
-  const V t191 = t57 + S(2) * t54 * t58;
-  const V t193 = t85 * t191 + S(2) * t41 * t188;
-  const V t196 = t113 * t126 + t3 * t131;
-  const V t199 = t18 * t165 + t102 * t170;
-  const V t200 = t196 + t199;
-  const V t202 = t193 + S(2) * t58 * t200;
-  const V t204 = c[4] * t185 + c[7] * t202 + S(2) * c[1] * t154;
-  const V t208 = c[5] * t185 + c[8] * t202 + S(2) * c[2] * t154;
-  const V t212 = c[6] * t185 + c[9] * t202 + S(2) * c[3] * t154;
-  const V t215 = t60 * t72 + S(2) * t35 * t112;
-  const V t218 = t134 * t144 + t97 * t149;
-  const V t221 = t52 * t126 + t90 * t131;
-  const V t222 = t218 + t221;
-  const V t224 = t215 + S(2) * t58 * t222;
-  const V t228 = t35 * t126 + t72 * t131;
-  const V t231 = t97 * t170 + t134 * t165;
-  const V t232 = t228 + t231;
-  const V t236 = t90 * t191 + S(2) * t52 * t188;
-  const V t237 = t236 + S(2) * t58 * t232;
-  const V t241 = t52 * t165 + t90 * t170;
-  const V t244 = t35 * t144 + t72 * t149;
-  const V t245 = t241 + t244;
-  const V t249 = t97 * t182 + S(2) * t134 * t179;
-  const V t250 = t58 * t245 + S(0.5) * t249;
-  const V t252 = c[1] * t224 + c[7] * t237 + S(2) * c[4] * t250;
-  const V t256 = c[2] * t224 + c[8] * t237 + S(2) * c[5] * t250;
-  const V t260 = c[3] * t224 + c[9] * t237 + S(2) * c[6] * t250;
-  const V t263 = t67 * t149 + t24 * t144;
-  const V t266 = t80 * t170 + t119 * t165;
-  const V t267 = t263 + t266;
-  const V t271 = t107 * t182 + S(2) * t7 * t179;
-  const V t272 = t271 + S(2) * t58 * t267;
-  const V t276 = t107 * t170 + t7 * t165;
-  const V t279 = t24 * t126 + t67 * t131;
-  const V t280 = t276 + t279;
-  const V t284 = t80 * t191 + S(2) * t119 * t188;
-  const V t285 = t58 * t280 + S(0.5) * t284;
-  const V t289 = t80 * t131 + t119 * t126;
-  const V t292 = t107 * t149 + t7 * t144;
-  const V t293 = t289 + t292;
-  const V t297 = t60 * t67 + S(2) * t24 * t112;
-  const V t298 = t297 + S(2) * t58 * t293;
-  const V t300 = c[7] * t285 + S(0.5) * (c[4] * t272 + c[1] * t298);
-  const V t304 = c[8] * t285 + S(0.5) * (c[5] * t272 + c[2] * t298);
-  const V t308 = c[9] * t285 + S(0.5) * (c[6] * t272 + c[3] * t298);
-  out[0] = S(0.5) * t204;
-  out[1] = S(0.5) * t208;
-  out[2] = S(0.5) * t212;
-  out[3] = S(0.5) * t252;
-  out[4] = S(0.5) * t256;
-  out[5] = S(0.5) * t260;
-  out[6] = t300;
-  out[7] = t304;
-  out[8] = t308;
+  const V t3 = c[9] * u[2] + c[8] * u[1] + c[7] * u[0];
+  const V t7 = c[5] * u[4] + c[4] * u[3] + c[6] * u[5];
+  const V t8 = t7 + S(1);
+  const V t12 = c[8] * v[4] + c[7] * v[3] + c[9] * v[5];
+  const V t17 = c[8] * u[4] + c[7] * u[3] + c[9] * u[5];
+  const V t21 = c[5] * v[4] + c[4] * v[3] + c[6] * v[5];
+  const V t23 = t8 * t12 + t17 * t21;
+  const V t27 = c[4] * v[0] + c[6] * v[2] + c[5] * v[1];
+  const V t32 = c[6] * u[2] + c[5] * u[1] + c[4] * u[0];
+  const V t36 = c[7] * v[0] + c[9] * v[2] + c[8] * v[1];
+  const V t38 = t3 * t27 + t32 * t36;
+  const V t42 = c[7] * u[6] + c[8] * u[7] + c[9] * u[8];
+  const V t43 = t42 + S(1);
+  const V t47 = c[4] * v[6] + c[6] * v[8] + c[5] * v[7];
+  const V t52 = c[4] * u[6] + c[5] * u[7] + c[6] * u[8];
+  const V t56 = c[7] * v[6] + c[9] * v[8] + c[8] * v[7];
+  const V t58 = t43 * t47 + t52 * t56;
+  const V t59 = t23 + t38 + t58;
+  const V t64 = t8 * t17 + t3 * t32 + t43 * t52;
+  const V t66 = t3 * t59 + t36 * t64;
+  const V t70 = c[3] * u[2] + c[2] * u[1] + c[1] * u[0];
+  const V t71 = t70 + S(1);
+  const V t75 = c[2] * v[4] + c[1] * v[3] + c[3] * v[5];
+  const V t80 = c[2] * u[4] + c[1] * u[3] + c[3] * u[5];
+  const V t82 = t8 * t75 + t21 * t80;
+  const V t87 = c[1] * v[0] + c[3] * v[2] + c[2] * v[1];
+  const V t89 = t27 * t71 + t32 * t87;
+  const V t93 = c[1] * v[6] + c[3] * v[8] + c[2] * v[7];
+  const V t98 = c[1] * u[6] + c[2] * u[7] + c[3] * u[8];
+  const V t100 = t52 * t93 + t47 * t98;
+  const V t101 = t82 + t89 + t100;
+  const V t106 = t32 * t71 + t52 * t98 + t8 * t80;
+  const V t108 = t71 * t101 + t87 * t106;
+  const V t109 = t66 + t108;
+  const V t110 = p[1] * c[0];
+  const V t113 = t7 + S(2);
+  const V t116 = t52 * t52 + t7 * t113 + t32 * t32;
+  const V t119 = t70 + S(2);
+  const V t122 = t98 * t98 + t70 * t119 + t80 * t80;
+  const V t124 = t42 + S(2);
+  const V t127 = t3 * t3 + t42 * t124 + t17 * t17;
+  const V t128 = t116 + t122 + t127;
+  const V t129 = p[0] * c[0];
+  const V t130 = S(0.5) * t129;
+  const V t131 = t128 * t130;
+  const V t132 = t110 * t116 + t131;
+  const V t134 = t7 + t113;
+  const V t138 = t27 * t32 + t47 * t52 + S(0.5) * t21 * t134;
+  const V t140 = t42 + t124;
+  const V t144 = t3 * t36 + t12 * t17 + S(0.5) * t56 * t140;
+  const V t145 = t70 + t119;
+  const V t149 = t93 * t98 + t75 * t80 + S(0.5) * t87 * t145;
+  const V t150 = t138 + t144 + t149;
+  const V t151 = t130 * t150;
+  const V t152 = t110 * t138 + t151;
+  const V t154 = t27 * t132 + S(2) * t32 * t152;
+  const V t155 = t109 * t110 + t154;
+  const V t159 = t17 * t75 + t12 * t80;
+  const V t162 = t43 * t93 + t56 * t98;
+  const V t165 = t36 * t71 + t3 * t87;
+  const V t166 = t159 + t162 + t165;
+  const V t171 = t3 * t71 + t17 * t80 + t43 * t98;
+  const V t173 = t3 * t166 + t36 * t171;
+  const V t176 = t32 * t101 + t27 * t106;
+  const V t177 = t173 + t176;
+  const V t180 = t131 + t110 * t122;
+  const V t183 = t151 + t110 * t149;
+  const V t185 = t87 * t180 + S(2) * t71 * t183;
+  const V t186 = t110 * t177 + t185;
+  const V t190 = t71 * t166 + t87 * t171;
+  const V t193 = t32 * t59 + t27 * t64;
+  const V t194 = t190 + t193;
+  const V t197 = t131 + t110 * t127;
+  const V t200 = t151 + t110 * t144;
+  const V t202 = t36 * t197 + S(2) * t3 * t200;
+  const V t203 = t110 * t194 + t202;
+  const V t205 = c[4] * t155 + c[1] * t186 + c[7] * t203;
+  const V t209 = c[5] * t155 + c[2] * t186 + c[8] * t203;
+  const V t213 = c[6] * t155 + c[3] * t186 + c[9] * t203;
+  const V t216 = t12 * t197 + S(2) * t17 * t200;
+  const V t219 = t80 * t166 + t75 * t171;
+  const V t222 = t21 * t64 + t8 * t59;
+  const V t223 = t219 + t222;
+  const V t225 = t216 + t110 * t223;
+  const V t229 = t17 * t59 + t12 * t64;
+  const V t232 = t80 * t101 + t75 * t106;
+  const V t233 = t229 + t232;
+  const V t237 = t21 * t132 + S(2) * t8 * t152;
+  const V t238 = t110 * t233 + t237;
+  const V t242 = t75 * t180 + S(2) * t80 * t183;
+  const V t245 = t8 * t101 + t21 * t106;
+  const V t248 = t17 * t166 + t12 * t171;
+  const V t249 = t245 + t248;
+  const V t251 = t242 + t110 * t249;
+  const V t253 = c[7] * t225 + c[4] * t238 + c[1] * t251;
+  const V t257 = c[8] * t225 + c[5] * t238 + c[2] * t251;
+  const V t261 = c[9] * t225 + c[6] * t238 + c[3] * t251;
+  const V t264 = t93 * t180 + S(2) * t98 * t183;
+  const V t267 = t56 * t171 + t43 * t166;
+  const V t270 = t47 * t106 + t52 * t101;
+  const V t271 = t267 + t270;
+  const V t273 = t264 + t110 * t271;
+  const V t277 = t47 * t64 + t52 * t59;
+  const V t280 = t98 * t166 + t93 * t171;
+  const V t281 = t277 + t280;
+  const V t285 = t56 * t197 + S(2) * t43 * t200;
+  const V t286 = t110 * t281 + t285;
+  const V t290 = t47 * t132 + S(2) * t52 * t152;
+  const V t293 = t93 * t106 + t98 * t101;
+  const V t296 = t56 * t64 + t43 * t59;
+  const V t297 = t293 + t296;
+  const V t299 = t290 + t110 * t297;
+  const V t301 = c[1] * t273 + c[7] * t286 + c[4] * t299;
+  const V t305 = c[2] * t273 + c[8] * t286 + c[5] * t299;
+  const V t309 = c[3] * t273 + c[9] * t286 + c[6] * t299;
+  out[0] = t205;
+  out[1] = t209;
+  out[2] = t213;
+  out[3] = t253;
+  out[4] = t257;
+  out[5] = t261;
+  out[6] = t301;
+  out[7] = t305;
+  out[8] = t309;
 }
 
-/// product: 3898 flops per element
+/// product: 3666 flops per element
 template <class V>
 inline void product([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -1196,7 +1208,9 @@ inline void product([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused
   integrate<V>(kernel::Inputs<V>{x, p, c, result, v, s}, out, margin);
 }
 
-/// linearize: 95 flops per element and point
+using product_steps = kernel::NoSteps;
+
+/// linearize: 93 flops per element and point
 template <class V>
 inline void linearize_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V*
     out, [[maybe_unused]] V& margin) {
@@ -1226,10 +1240,11 @@ inline void linearize_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[m
   const V t67 = t7 * t7 + t11 * t64 + t3 * t3;
   const V t68 = t55 + t62 + t67;
   const V t69 = p[0] * c[0];
-  const V t70 = t68 * t69;
-  const V t71 = t70 + S(2) * t55 * t56;
-  const V t73 = t70 + S(2) * t56 * t62;
-  const V t75 = t70 + S(2) * t56 * t67;
+  const V t70 = S(0.5) * t69;
+  const V t71 = t68 * t70;
+  const V t72 = t55 * t56 + t71;
+  const V t74 = t71 + t56 * t62;
+  const V t76 = t71 + t56 * t67;
   out[0] = t3;
   out[1] = t7;
   out[2] = t11;
@@ -1242,12 +1257,12 @@ inline void linearize_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[m
   out[9] = t41;
   out[10] = t46;
   out[11] = t50;
-  out[12] = t71;
-  out[13] = t73;
-  out[14] = t75;
+  out[12] = t72;
+  out[13] = t74;
+  out[14] = t76;
 }
 
-/// linearize: 1006 flops per element
+/// linearize: 990 flops per element
 template <class V>
 inline void linearize([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -1261,118 +1276,121 @@ inline void linearize([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   }
 }
 
-/// apply: 305 flops per element and point
+using linearize_steps = kernel::NoSteps;
+
+/// apply: 279 flops per element and point
 template <class V>
 inline void apply_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
   using S [[maybe_unused]] = kernel::Scalar<V>;
   [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
-  const V t3 = c[7] * v[0] + c[9] * v[2] + c[8] * v[1];
-  const V t8 = c[5] * v[4] + c[4] * v[3] + c[6] * v[5];
-  const V t10 = s[5] + S(1);
-  const V t14 = c[8] * v[4] + c[7] * v[3] + c[9] * v[5];
-  const V t16 = s[7] * t8 + t10 * t14;
-  const V t17 = s[8] + S(1);
-  const V t21 = c[4] * v[6] + c[6] * v[8] + c[5] * v[7];
-  const V t26 = c[7] * v[6] + c[9] * v[8] + c[8] * v[7];
-  const V t28 = t17 * t21 + s[4] * t26;
-  const V t32 = c[4] * v[0] + c[6] * v[2] + c[5] * v[1];
-  const V t35 = s[6] * t32 + s[3] * t3;
-  const V t36 = t16 + t28 + t35;
-  const V t38 = s[11] * t3 + s[6] * t36;
-  const V t39 = s[2] + S(1);
-  const V t43 = c[1] * v[6] + c[3] * v[8] + c[2] * v[7];
-  const V t46 = s[4] * t43 + s[1] * t21;
-  const V t51 = c[2] * v[4] + c[1] * v[3] + c[3] * v[5];
-  const V t53 = s[0] * t8 + t10 * t51;
-  const V t57 = c[1] * v[0] + c[3] * v[2] + c[2] * v[1];
-  const V t60 = s[3] * t57 + t32 * t39;
-  const V t61 = t46 + t53 + t60;
-  const V t64 = t39 * t61 + s[9] * t57;
-  const V t65 = t38 + t64;
-  const V t66 = p[1] * c[0];
-  const V t69 = s[5] + S(2);
-  const V t70 = s[5] + t69;
-  const V t73 = s[3] * t32 + s[4] * t21 + S(0.5) * t8 * t70;
-  const V t75 = s[2] + S(2);
-  const V t76 = s[2] + t75;
-  const V t80 = s[0] * t51 + s[1] * t43 + S(0.5) * t57 * t76;
-  const V t83 = s[8] + S(2);
-  const V t84 = s[8] + t83;
-  const V t86 = s[7] * t14 + s[6] * t3 + S(0.5) * t26 * t84;
-  const V t87 = t73 + t80 + t86;
-  const V t88 = p[0] * c[0];
-  const V t89 = t87 * t88;
-  const V t90 = t89 + S(2) * t66 * t73;
-  const V t93 = s[13] * t32 + S(2) * s[3] * t90;
-  const V t94 = t93 + S(2) * t65 * t66;
-  const V t98 = t89 + S(2) * t66 * t80;
-  const V t100 = s[14] * t57 + S(2) * t39 * t98;
-  const V t103 = s[3] * t61 + s[9] * t32;
-  const V t107 = s[7] * t51 + s[0] * t14;
-  const V t110 = s[6] * t57 + t3 * t39;
-  const V t113 = t17 * t43 + s[1] * t26;
-  const V t114 = t107 + t110 + t113;
-  const V t116 = s[10] * t3 + s[6] * t114;
-  const V t117 = t103 + t116;
-  const V t119 = t66 * t117 + S(0.5) * t100;
-  const V t123 = s[11] * t32 + s[3] * t36;
-  const V t126 = s[10] * t57 + t39 * t114;
-  const V t127 = t123 + t126;
-  const V t131 = t89 + S(2) * t66 * t86;
-  const V t133 = s[12] * t3 + S(2) * s[6] * t131;
-  const V t134 = t133 + S(2) * t66 * t127;
-  const V t136 = c[4] * t94 + c[7] * t134 + S(2) * c[1] * t119;
-  const V t140 = c[5] * t94 + c[8] * t134 + S(2) * c[2] * t119;
-  const V t144 = c[6] * t94 + c[9] * t134 + S(2) * c[3] * t119;
-  const V t147 = s[13] * t8 + S(2) * t10 * t90;
-  const V t150 = s[11] * t14 + s[7] * t36;
-  const V t153 = s[9] * t51 + s[0] * t61;
-  const V t154 = t150 + t153;
-  const V t156 = t66 * t154 + S(0.5) * t147;
-  const V t160 = s[12] * t14 + S(2) * s[7] * t131;
-  const V t163 = s[10] * t51 + s[0] * t114;
-  const V t166 = s[11] * t8 + t10 * t36;
-  const V t167 = t163 + t166;
-  const V t169 = t160 + S(2) * t66 * t167;
-  const V t173 = s[14] * t51 + S(2) * s[0] * t98;
-  const V t176 = s[10] * t14 + s[7] * t114;
-  const V t179 = t10 * t61 + s[9] * t8;
-  const V t180 = t176 + t179;
-  const V t182 = t173 + S(2) * t66 * t180;
-  const V t184 = c[7] * t169 + c[1] * t182 + S(2) * c[4] * t156;
-  const V t188 = c[8] * t169 + c[2] * t182 + S(2) * c[5] * t156;
-  const V t192 = c[9] * t169 + c[3] * t182 + S(2) * c[6] * t156;
-  const V t195 = s[14] * t43 + S(2) * s[1] * t98;
-  const V t198 = s[10] * t26 + t17 * t114;
-  const V t201 = s[4] * t61 + s[9] * t21;
-  const V t202 = t198 + t201;
-  const V t204 = t195 + S(2) * t66 * t202;
-  const V t208 = s[13] * t21 + S(2) * s[4] * t90;
-  const V t211 = s[1] * t61 + s[9] * t43;
-  const V t214 = t17 * t36 + s[11] * t26;
-  const V t215 = t211 + t214;
-  const V t217 = t208 + S(2) * t66 * t215;
-  const V t221 = s[12] * t26 + S(2) * t17 * t131;
-  const V t224 = s[4] * t36 + s[11] * t21;
-  const V t227 = s[1] * t114 + s[10] * t43;
-  const V t228 = t224 + t227;
-  const V t230 = t66 * t228 + S(0.5) * t221;
-  const V t232 = c[7] * t230 + S(0.5) * (c[1] * t204 + c[4] * t217);
-  const V t236 = c[8] * t230 + S(0.5) * (c[2] * t204 + c[5] * t217);
-  const V t240 = c[9] * t230 + S(0.5) * (c[3] * t204 + c[6] * t217);
-  out[0] = S(0.5) * t136;
-  out[1] = S(0.5) * t140;
-  out[2] = S(0.5) * t144;
-  out[3] = S(0.5) * t184;
-  out[4] = S(0.5) * t188;
-  out[5] = S(0.5) * t192;
-  out[6] = t232;
-  out[7] = t236;
-  out[8] = t240;
+  const V t3 = c[1] * v[0] + c[3] * v[2] + c[2] * v[1];
+  const V t5 = s[2] + S(1);
+  const V t6 = s[2] + S(2);
+  const V t7 = s[2] + t6;
+  const V t12 = c[2] * v[4] + c[1] * v[3] + c[3] * v[5];
+  const V t17 = c[1] * v[6] + c[3] * v[8] + c[2] * v[7];
+  const V t19 = s[0] * t12 + s[1] * t17 + S(0.5) * t3 * t7;
+  const V t23 = c[8] * v[4] + c[7] * v[3] + c[9] * v[5];
+  const V t28 = c[7] * v[0] + c[9] * v[2] + c[8] * v[1];
+  const V t30 = s[8] + S(2);
+  const V t31 = s[8] + t30;
+  const V t35 = c[7] * v[6] + c[9] * v[8] + c[8] * v[7];
+  const V t37 = s[7] * t23 + s[6] * t28 + S(0.5) * t31 * t35;
+  const V t41 = c[4] * v[0] + c[6] * v[2] + c[5] * v[1];
+  const V t43 = s[5] + S(2);
+  const V t44 = s[5] + t43;
+  const V t48 = c[5] * v[4] + c[4] * v[3] + c[6] * v[5];
+  const V t53 = c[4] * v[6] + c[6] * v[8] + c[5] * v[7];
+  const V t55 = s[3] * t41 + s[4] * t53 + S(0.5) * t44 * t48;
+  const V t56 = t19 + t37 + t55;
+  const V t57 = p[0] * c[0];
+  const V t58 = S(0.5) * t57;
+  const V t59 = t56 * t58;
+  const V t60 = p[1] * c[0];
+  const V t62 = t59 + t19 * t60;
+  const V t64 = s[14] * t3 + S(2) * t5 * t62;
+  const V t67 = s[4] * t17 + s[1] * t53;
+  const V t69 = s[5] + S(1);
+  const V t71 = s[0] * t48 + t12 * t69;
+  const V t74 = s[3] * t3 + t5 * t41;
+  const V t75 = t67 + t71 + t74;
+  const V t78 = s[3] * t75 + s[9] * t41;
+  const V t82 = s[7] * t12 + s[0] * t23;
+  const V t85 = s[6] * t3 + t5 * t28;
+  const V t86 = s[8] + S(1);
+  const V t89 = t17 * t86 + s[1] * t35;
+  const V t90 = t82 + t85 + t89;
+  const V t92 = s[10] * t28 + s[6] * t90;
+  const V t93 = t78 + t92;
+  const V t95 = t64 + t60 * t93;
+  const V t100 = s[7] * t48 + t23 * t69;
+  const V t103 = t53 * t86 + s[4] * t35;
+  const V t106 = s[6] * t41 + s[3] * t28;
+  const V t107 = t100 + t103 + t106;
+  const V t109 = s[11] * t28 + s[6] * t107;
+  const V t112 = t5 * t75 + s[9] * t3;
+  const V t113 = t109 + t112;
+  const V t117 = t59 + t55 * t60;
+  const V t119 = s[13] * t41 + S(2) * s[3] * t117;
+  const V t120 = t60 * t113 + t119;
+  const V t124 = t59 + t37 * t60;
+  const V t126 = s[12] * t28 + S(2) * s[6] * t124;
+  const V t129 = s[11] * t41 + s[3] * t107;
+  const V t132 = s[10] * t3 + t5 * t90;
+  const V t133 = t129 + t132;
+  const V t135 = t126 + t60 * t133;
+  const V t137 = c[1] * t95 + c[4] * t120 + c[7] * t135;
+  const V t141 = c[2] * t95 + c[5] * t120 + c[8] * t135;
+  const V t145 = c[3] * t95 + c[6] * t120 + c[9] * t135;
+  const V t148 = s[13] * t48 + S(2) * t69 * t117;
+  const V t151 = s[11] * t23 + s[7] * t107;
+  const V t154 = s[9] * t12 + s[0] * t75;
+  const V t155 = t151 + t154;
+  const V t157 = t148 + t60 * t155;
+  const V t161 = s[12] * t23 + S(2) * s[7] * t124;
+  const V t164 = s[10] * t12 + s[0] * t90;
+  const V t167 = s[11] * t48 + t69 * t107;
+  const V t168 = t164 + t167;
+  const V t170 = t161 + t60 * t168;
+  const V t174 = s[14] * t12 + S(2) * s[0] * t62;
+  const V t177 = s[10] * t23 + s[7] * t90;
+  const V t180 = t69 * t75 + s[9] * t48;
+  const V t181 = t177 + t180;
+  const V t183 = t174 + t60 * t181;
+  const V t185 = c[4] * t157 + c[7] * t170 + c[1] * t183;
+  const V t189 = c[5] * t157 + c[8] * t170 + c[2] * t183;
+  const V t193 = c[6] * t157 + c[9] * t170 + c[3] * t183;
+  const V t196 = s[4] * t107 + s[11] * t53;
+  const V t199 = s[1] * t90 + s[10] * t17;
+  const V t200 = t196 + t199;
+  const V t204 = s[12] * t35 + S(2) * t86 * t124;
+  const V t205 = t60 * t200 + t204;
+  const V t209 = s[13] * t53 + S(2) * s[4] * t117;
+  const V t212 = s[1] * t75 + s[9] * t17;
+  const V t215 = t86 * t107 + s[11] * t35;
+  const V t216 = t212 + t215;
+  const V t218 = t209 + t60 * t216;
+  const V t222 = s[10] * t35 + t86 * t90;
+  const V t225 = s[4] * t75 + s[9] * t53;
+  const V t226 = t222 + t225;
+  const V t230 = s[14] * t17 + S(2) * s[1] * t62;
+  const V t231 = t60 * t226 + t230;
+  const V t233 = c[7] * t205 + c[4] * t218 + c[1] * t231;
+  const V t237 = c[8] * t205 + c[5] * t218 + c[2] * t231;
+  const V t241 = c[9] * t205 + c[6] * t218 + c[3] * t231;
+  out[0] = t137;
+  out[1] = t141;
+  out[2] = t145;
+  out[3] = t185;
+  out[4] = t189;
+  out[5] = t193;
+  out[6] = t233;
+  out[7] = t237;
+  out[8] = t241;
 }
 
-/// apply: 2956 flops per element
+/// apply: 2748 flops per element
 template <class V>
 inline void apply([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -1387,6 +1405,8 @@ inline void apply([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]]
   }
   integrate<V>(kernel::Inputs<V>{x, p, c, result, v, s}, out, margin);
 }
+
+using apply_steps = kernel::NoSteps;
 
 /// stiffness: linearize once, apply along every unit direction; K = -product
 template <class V>
@@ -1405,6 +1425,8 @@ inline void stiffness([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   }
 }
 
+using stiffness_steps = kernel::NoSteps;
+
 }  // namespace general
 
 namespace box {
@@ -1412,6 +1434,8 @@ namespace box {
 inline constexpr int num_constants = 4;
 inline constexpr int num_state = 120;
 inline constexpr bool reads_positions = false;
+inline constexpr int batches_at_once = 1;
+inline constexpr KernelCosts costs = {3034, 838, 2308};
 
 /// gradients in reference coordinates at all points, of nodal values u: 246 flops
 template <class V>
@@ -1823,6 +1847,8 @@ inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   constants_at_point<V>(kernel::Inputs<V>{dx, p, c, u, v, s}, out, margin);
 }
 
+using constants_steps = kernel::NoSteps;
+
 /// geometry: 29 flops per element
 template <class V>
 inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
@@ -1859,42 +1885,48 @@ inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unuse
   out[23] = -S(0.125) * t3;
 }
 
-/// energy: 79 flops per element and point
+using geometry_steps = kernel::NoSteps;
+
+/// energy: 78 flops per element and point
 template <class V>
 inline void energy_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
   using S [[maybe_unused]] = kernel::Scalar<V>;
   [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
-  const V t0 = c[2] * u[2];
-  const V t1 = c[0] * u[3];
-  const V t2 = c[2] * u[5];
-  const V t4 = c[0] * u[6];
-  const V t5 = c[2] * u[8];
-  const V t7 = c[0] * u[0];
-  const V t9 = t0 + t1 * t2 + t4 + t4 * t5 + t0 * t7;
-  const V t11 = c[1] * u[4];
-  const V t15 = u[1] * u[1] + u[7] * u[7] + u[4] * u[4];
-  const V t16 = c[1] * c[1];
-  const V t18 = t11 + S(0.5) * t15 * t16;
-  const V t20 = c[2] * c[2];
-  const V t24 = u[2] * u[2] + u[5] * u[5] + u[8] * u[8];
-  const V t26 = t5 + S(0.5) * t20 * t24;
-  const V t28 = c[0] * c[0];
-  const V t32 = u[0] * u[0] + u[6] * u[6] + u[3] * u[3];
-  const V t34 = t7 + S(0.5) * t28 * t32;
-  const V t36 = c[1] * u[1];
-  const V t38 = c[1] * u[7];
-  const V t41 = t1 + t36 + t7 * t36 + t4 * t38 + t1 * t11;
-  const V t46 = t2 + t38 + t0 * t36 + t5 * t38 + t2 * t11;
-  const V t48 = t18 * t18 + t26 * t26 + t34 * t34 + S(0.5) * (t9 * t9 + t41 * t41 + t46 * t46);
-  const V t49 = p[1] * c[3];
-  const V t51 = t18 + t26 + t34;
-  const V t52 = p[0] * c[3];
-  const V t54 = t51 * t51 * t52 + S(2) * t48 * t49;
-  out[0] = S(0.5) * t54;
+  const V t0 = c[2] * c[2];
+  const V t1 = S(0.5) * t0;
+  const V t5 = u[2] * u[2] + u[5] * u[5] + u[8] * u[8];
+  const V t7 = c[2] * u[8];
+  const V t8 = t1 * t5 + t7;
+  const V t9 = c[1] * u[4];
+  const V t13 = u[1] * u[1] + u[7] * u[7] + u[4] * u[4];
+  const V t14 = c[1] * c[1];
+  const V t15 = S(0.5) * t14;
+  const V t17 = t9 + t13 * t15;
+  const V t18 = c[0] * c[0];
+  const V t19 = S(0.5) * t18;
+  const V t23 = u[0] * u[0] + u[6] * u[6] + u[3] * u[3];
+  const V t25 = c[0] * u[0];
+  const V t26 = t19 * t23 + t25;
+  const V t27 = t8 + t17 + t26;
+  const V t28 = p[0] * c[3];
+  const V t29 = S(0.5) * t28;
+  const V t31 = p[1] * c[3];
+  const V t32 = c[2] * u[2];
+  const V t33 = c[0] * u[3];
+  const V t34 = c[2] * u[5];
+  const V t36 = c[0] * u[6];
+  const V t39 = t32 + t33 * t34 + t36 + t7 * t36 + t25 * t32;
+  const V t43 = c[1] * u[1];
+  const V t45 = c[1] * u[7];
+  const V t48 = t33 + t43 + t25 * t43 + t36 * t45 + t9 * t33;
+  const V t53 = t34 + t45 + t32 * t43 + t7 * t45 + t9 * t34;
+  const V t56 = t17 * t17 + t26 * t26 + t8 * t8 + S(0.5) * (t39 * t39 + t48 * t48 + t53 * t53);
+  const V t58 = t27 * t27 * t29 + t31 * t56;
+  out[0] = t58;
 }
 
-/// energy: 885 flops per element
+/// energy: 877 flops per element
 template <class V>
 inline void energy([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -1908,6 +1940,8 @@ inline void energy([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]
   }
   weigh<V>(kernel::Inputs<V>{x, p, c, result, v, s}, out, margin);
 }
+
+using energy_steps = kernel::NoSteps;
 
 /// forces: 146 flops per element and point
 template <class V>
@@ -1989,6 +2023,8 @@ inline void forces([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]
   }
   integrate<V>(kernel::Inputs<V>{x, p, c, result, v, s}, out, margin);
 }
+
+using forces_steps = kernel::NoSteps;
 
 /// product: 284 flops per element and point
 template <class V>
@@ -2136,6 +2172,8 @@ inline void product([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused
   integrate<V>(kernel::Inputs<V>{x, p, c, result, v, s}, out, margin);
 }
 
+using product_steps = kernel::NoSteps;
+
 /// linearize: 74 flops per element and point
 template <class V>
 inline void linearize_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V*
@@ -2202,6 +2240,8 @@ inline void linearize([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
     linearize_at_point<V>(kernel::Inputs<V>{x, p, c, du + 9 * g, v, s}, out + 15 * g, margin);
   }
 }
+
+using linearize_steps = kernel::NoSteps;
 
 /// apply: 224 flops per element and point
 template <class V>
@@ -2330,6 +2370,8 @@ inline void apply([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]]
   integrate<V>(kernel::Inputs<V>{x, p, c, result, v, s}, out, margin);
 }
 
+using apply_steps = kernel::NoSteps;
+
 /// stiffness: linearize once, apply along every unit direction; K = -product
 template <class V>
 inline void stiffness([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
@@ -2346,6 +2388,8 @@ inline void stiffness([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
     for (int i = 0; i < 24; ++i) out[i * 24 + j] = -column[i];
   }
 }
+
+using stiffness_steps = kernel::NoSteps;
 
 }  // namespace box
 

@@ -9,24 +9,24 @@
 // quadrature   q1
 // split        none
 // profile      x86-cache
-// hash         c610e2e2bbd574b7e294abc2c414743c
+// hash         45d56ed402a501219ad87906bdd57af9
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
-// general  constants              51         10      0          96       80          1
+// general  constants              52         10      0          96       80          1
 // general  geometry               31          0      0          96       72          1
 // general  energy                112         10      0         176        8          1
-// general  forces                239         10      0         176       96          1
-// general  product               422         10      0         272       96          1
-// general  linearize             104         10     15         176      120          1
-// general  apply                 326         10     15         296       96          1
-// general  stiffness            4016         10     15         176     1152          1
+// general  forces                207         10      0         176       96          1
+// general  product               387         10      0         272       96          1
+// general  linearize             102         10     15         176      120          1
+// general  apply                 294         10     15         296       96          1
+// general  stiffness            3630         10     15         176     1152          1
 #pragma once
 
 #include "runtime/kernel_support.h"
 
 namespace elastogen::kernels::stvk_tet4_q1_none::inline ELASTOGEN_INSTRUCTION_SET {
 
-inline constexpr char hash[] = "c610e2e2bbd574b7e294abc2c414743c";
+inline constexpr char hash[] = "45d56ed402a501219ad87906bdd57af9";
 inline constexpr int dim = 3;
 inline constexpr int num_nodes = 4;
 inline constexpr int num_points = 1;
@@ -36,8 +36,10 @@ namespace general {
 inline constexpr int num_constants = 10;
 inline constexpr int num_state = 15;
 inline constexpr bool reads_positions = false;
+inline constexpr int batches_at_once = most_batches_at_once;
+inline constexpr KernelCosts costs = {387, 102, 294};
 
-/// constants: 51 flops per element
+/// constants: 52 flops per element
 template <class V>
 inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -72,7 +74,7 @@ inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   const V t45 = t22 * t44;
   const V t48 = t9 * t12 - t1 * t7;
   const V t49 = t22 * t48;
-  out[0] = t21;
+  out[0] = S(0.16666666666666666) * t21;
   out[1] = t23;
   out[2] = t24;
   out[3] = t25;
@@ -83,6 +85,8 @@ inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   out[8] = t45;
   out[9] = t49;
 }
+
+using constants_steps = kernel::NoSteps;
 
 /// geometry: 31 flops per element
 template <class V>
@@ -113,6 +117,8 @@ inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unuse
   out[7] = S(0.041666666666666664) * t21;
   out[8] = t21;
 }
+
+using geometry_steps = kernel::NoSteps;
 
 /// energy: 112 flops per element
 template <class V>
@@ -155,10 +161,12 @@ inline void energy([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]
   const V t83 = t29 * t57 + t40 * t74 + t46 * t66;
   const V t85 = t25 * t25 + t42 * t42 + t59 * t59 + S(2) * (t69 * t69 + t76 * t76 + t83 * t83);
   const V t87 = t60 * t60 * t61 + S(2) * t63 * t85;
-  out[0] = S(0.020833333333333332) * t87;
+  out[0] = S(0.125) * t87;
 }
 
-/// forces: 239 flops per element
+using energy_steps = kernel::NoSteps;
+
+/// forces: 207 flops per element
 template <class V>
 inline void forces([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -197,55 +205,58 @@ inline void forces([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]
   const V t75 = t36 * t36 + t22 * t72 + t6 * t6;
   const V t76 = t65 + t70 + t75;
   const V t77 = p[0] * c[0];
-  const V t78 = t76 * t77;
-  const V t80 = t78 + S(2) * t59 * t75;
-  const V t82 = t6 * t80 + S(2) * t58 * t59;
-  const V t87 = t10 * t49 + t32 * t43 + t18 * t54;
-  const V t90 = t10 * t87 + t6 * t56;
-  const V t93 = t78 + S(2) * t59 * t65;
-  const V t95 = t59 * t90 + S(0.5) * t49 * t93;
-  const V t98 = t78 + S(2) * t59 * t70;
-  const V t102 = t6 * t38 + t49 * t87;
-  const V t104 = t10 * t98 + S(2) * t59 * t102;
-  const V t106 = c[6] * t82 + c[9] * t104 + S(2) * c[3] * t95;
-  const V t110 = c[5] * t82 + c[8] * t104 + S(2) * c[2] * t95;
-  const V t114 = c[4] * t82 + c[7] * t104 + S(2) * c[1] * t95;
-  const V t115 = t106 + t110 + t114;
-  const V t118 = t23 * t56 + t18 * t87;
-  const V t121 = t54 * t93 + S(2) * t59 * t118;
-  const V t126 = t54 * t56 + t18 * t38;
-  const V t128 = t59 * t126 + S(0.5) * t23 * t80;
-  const V t133 = t54 * t87 + t23 * t38;
-  const V t135 = t18 * t98 + S(2) * t59 * t133;
-  const V t137 = c[3] * t121 + c[9] * t135 + S(2) * c[6] * t128;
-  const V t141 = c[2] * t121 + c[8] * t135 + S(2) * c[5] * t128;
-  const V t145 = c[1] * t121 + c[7] * t135 + S(2) * c[4] * t128;
-  const V t146 = t137 + t141 + t145;
-  const V t149 = t43 * t56 + t32 * t38;
-  const V t152 = t36 * t80 + S(2) * t59 * t149;
-  const V t156 = t36 * t38 + t43 * t87;
-  const V t159 = t59 * t156 + S(0.5) * t32 * t98;
-  const V t164 = t36 * t56 + t32 * t87;
-  const V t166 = t43 * t93 + S(2) * t59 * t164;
-  const V t168 = c[9] * t159 + S(0.5) * (c[6] * t152 + c[3] * t166);
-  const V t172 = c[8] * t159 + S(0.5) * (c[5] * t152 + c[2] * t166);
-  const V t176 = c[7] * t159 + S(0.5) * (c[4] * t152 + c[1] * t166);
-  const V t177 = t168 + t172 + t176;
-  out[0] = -S(0.083333333333333329) * t115;
-  out[1] = -S(0.083333333333333329) * t146;
-  out[2] = -S(0.16666666666666666) * t177;
-  out[3] = S(0.083333333333333329) * t114;
-  out[4] = S(0.083333333333333329) * t145;
-  out[5] = S(0.16666666666666666) * t176;
-  out[6] = S(0.083333333333333329) * t110;
-  out[7] = S(0.083333333333333329) * t141;
-  out[8] = S(0.16666666666666666) * t172;
-  out[9] = S(0.083333333333333329) * t106;
-  out[10] = S(0.083333333333333329) * t137;
-  out[11] = S(0.16666666666666666) * t168;
+  const V t78 = S(0.5) * t77;
+  const V t79 = t76 * t78;
+  const V t81 = t79 + t59 * t75;
+  const V t83 = t58 * t59 + t6 * t81;
+  const V t89 = t10 * t49 + t32 * t43 + t18 * t54;
+  const V t91 = t6 * t38 + t49 * t89;
+  const V t94 = t79 + t59 * t70;
+  const V t96 = t59 * t91 + t10 * t94;
+  const V t99 = t79 + t59 * t65;
+  const V t103 = t10 * t89 + t6 * t56;
+  const V t105 = t49 * t99 + t59 * t103;
+  const V t107 = c[6] * t83 + c[9] * t96 + c[3] * t105;
+  const V t111 = c[5] * t83 + c[8] * t96 + c[2] * t105;
+  const V t115 = c[4] * t83 + c[7] * t96 + c[1] * t105;
+  const V t116 = t107 + t111 + t115;
+  const V t119 = t54 * t56 + t18 * t38;
+  const V t122 = t59 * t119 + t23 * t81;
+  const V t127 = t23 * t56 + t18 * t89;
+  const V t129 = t54 * t99 + t59 * t127;
+  const V t133 = t54 * t89 + t23 * t38;
+  const V t136 = t59 * t133 + t18 * t94;
+  const V t138 = c[6] * t122 + c[3] * t129 + c[9] * t136;
+  const V t142 = c[5] * t122 + c[2] * t129 + c[8] * t136;
+  const V t146 = c[4] * t122 + c[1] * t129 + c[7] * t136;
+  const V t147 = t138 + t142 + t146;
+  const V t151 = t43 * t56 + t32 * t38;
+  const V t153 = t36 * t81 + t59 * t151;
+  const V t158 = t36 * t56 + t32 * t89;
+  const V t160 = t43 * t99 + t59 * t158;
+  const V t164 = t36 * t38 + t43 * t89;
+  const V t167 = t59 * t164 + t32 * t94;
+  const V t169 = c[6] * t153 + c[3] * t160 + c[9] * t167;
+  const V t173 = c[5] * t153 + c[2] * t160 + c[8] * t167;
+  const V t177 = c[4] * t153 + c[1] * t160 + c[7] * t167;
+  const V t178 = t169 + t173 + t177;
+  out[0] = -t116;
+  out[1] = -t147;
+  out[2] = -t178;
+  out[3] = t115;
+  out[4] = t146;
+  out[5] = t177;
+  out[6] = t111;
+  out[7] = t142;
+  out[8] = t173;
+  out[9] = t107;
+  out[10] = t138;
+  out[11] = t169;
 }
 
-/// product: 422 flops per element
+using forces_steps = kernel::NoSteps;
+
+/// product: 387 flops per element
 template <class V>
 inline void product([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -304,103 +315,106 @@ inline void product([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused
   const V t126 = t101 * t105 + t93 * t124;
   const V t127 = t84 + t126;
   const V t128 = p[1] * c[0];
-  const V t132 = t6 + S(2);
-  const V t133 = t6 + t132;
-  const V t135 = t24 * t74 + t32 * t60 + S(0.5) * t51 * t133;
-  const V t138 = t19 + S(2);
-  const V t139 = t19 + t138;
-  const V t142 = t11 * t45 + t36 * t65 + S(0.5) * t79 * t139;
-  const V t145 = t98 + S(2);
-  const V t146 = t98 + t145;
-  const V t148 = t93 * t105 + t88 * t121 + S(0.5) * t111 * t146;
-  const V t149 = t135 + t142 + t148;
-  const V t150 = p[0] * c[0];
-  const V t151 = t149 * t150;
-  const V t152 = t151 + S(2) * t128 * t135;
-  const V t157 = t24 * t24 + t6 * t132 + t32 * t32;
-  const V t162 = t11 * t11 + t19 * t138 + t36 * t36;
-  const V t166 = t88 * t88 + t98 * t145 + t93 * t93;
-  const V t167 = t157 + t162 + t166;
-  const V t168 = t150 * t167;
-  const V t169 = t168 + S(2) * t128 * t157;
-  const V t171 = t51 * t169 + S(2) * t7 * t152;
-  const V t172 = t127 * t128 + S(0.5) * t171;
-  const V t177 = t11 * t93 + t36 * t99 + t20 * t88;
-  const V t181 = t65 * t99 + t36 * t111;
-  const V t184 = t11 * t105 + t45 * t93;
-  const V t187 = t20 * t121 + t79 * t88;
-  const V t188 = t181 + t184 + t187;
-  const V t190 = t105 * t177 + t93 * t188;
-  const V t193 = t38 * t51 + t7 * t82;
-  const V t194 = t190 + t193;
-  const V t197 = t151 + S(2) * t128 * t142;
-  const V t200 = t168 + S(2) * t128 * t162;
-  const V t202 = t45 * t200 + S(2) * t11 * t197;
-  const V t203 = t202 + S(2) * t128 * t194;
-  const V t206 = t151 + S(2) * t128 * t148;
-  const V t209 = t168 + S(2) * t128 * t166;
-  const V t211 = t105 * t209 + S(2) * t93 * t206;
-  const V t214 = t51 * t101 + t7 * t124;
-  const V t217 = t45 * t177 + t11 * t188;
-  const V t218 = t214 + t217;
-  const V t220 = t211 + S(2) * t128 * t218;
-  const V t222 = c[9] * t203 + c[6] * t220 + S(2) * c[3] * t172;
-  const V t226 = c[8] * t203 + c[5] * t220 + S(2) * c[2] * t172;
-  const V t230 = c[7] * t203 + c[4] * t220 + S(2) * c[1] * t172;
-  const V t231 = t222 + t226 + t230;
-  const V t234 = t32 * t124 + t60 * t101;
-  const V t237 = t36 * t188 + t65 * t177;
-  const V t238 = t234 + t237;
-  const V t242 = t111 * t209 + S(2) * t99 * t206;
-  const V t243 = t128 * t238 + S(0.5) * t242;
-  const V t247 = t99 * t188 + t111 * t177;
-  const V t250 = t38 * t60 + t32 * t82;
-  const V t251 = t247 + t250;
-  const V t255 = t65 * t200 + S(2) * t36 * t197;
-  const V t256 = t255 + S(2) * t128 * t251;
-  const V t260 = t60 * t169 + S(2) * t32 * t152;
-  const V t263 = t38 * t65 + t36 * t82;
-  const V t266 = t99 * t124 + t101 * t111;
-  const V t267 = t263 + t266;
-  const V t269 = t260 + S(2) * t128 * t267;
-  const V t271 = c[9] * t256 + c[3] * t269 + S(2) * c[6] * t243;
-  const V t275 = c[8] * t256 + c[2] * t269 + S(2) * c[5] * t243;
-  const V t279 = c[7] * t256 + c[1] * t269 + S(2) * c[4] * t243;
-  const V t280 = t271 + t275 + t279;
-  const V t283 = t121 * t209 + S(2) * t88 * t206;
-  const V t286 = t79 * t177 + t20 * t188;
-  const V t289 = t24 * t124 + t74 * t101;
-  const V t290 = t286 + t289;
-  const V t292 = t283 + S(2) * t128 * t290;
-  const V t296 = t24 * t82 + t38 * t74;
-  const V t299 = t88 * t188 + t121 * t177;
-  const V t300 = t296 + t299;
-  const V t304 = t79 * t200 + S(2) * t20 * t197;
-  const V t305 = t128 * t300 + S(0.5) * t304;
-  const V t309 = t74 * t169 + S(2) * t24 * t152;
-  const V t312 = t88 * t124 + t101 * t121;
-  const V t315 = t20 * t82 + t38 * t79;
-  const V t316 = t312 + t315;
-  const V t318 = t309 + S(2) * t128 * t316;
-  const V t320 = c[9] * t305 + S(0.5) * (c[6] * t292 + c[3] * t318);
-  const V t324 = c[8] * t305 + S(0.5) * (c[5] * t292 + c[2] * t318);
-  const V t328 = c[7] * t305 + S(0.5) * (c[4] * t292 + c[1] * t318);
-  const V t329 = t320 + t324 + t328;
-  out[0] = -S(0.083333333333333329) * t231;
-  out[1] = -S(0.083333333333333329) * t280;
-  out[2] = -S(0.16666666666666666) * t329;
-  out[3] = S(0.083333333333333329) * t230;
-  out[4] = S(0.083333333333333329) * t279;
-  out[5] = S(0.16666666666666666) * t328;
-  out[6] = S(0.083333333333333329) * t226;
-  out[7] = S(0.083333333333333329) * t275;
-  out[8] = S(0.16666666666666666) * t324;
-  out[9] = S(0.083333333333333329) * t222;
-  out[10] = S(0.083333333333333329) * t271;
-  out[11] = S(0.16666666666666666) * t320;
+  const V t131 = t19 + S(2);
+  const V t132 = t19 + t131;
+  const V t135 = t11 * t45 + t36 * t65 + S(0.5) * t79 * t132;
+  const V t138 = t98 + S(2);
+  const V t139 = t98 + t138;
+  const V t141 = t93 * t105 + t88 * t121 + S(0.5) * t111 * t139;
+  const V t144 = t6 + S(2);
+  const V t145 = t6 + t144;
+  const V t147 = t24 * t74 + t32 * t60 + S(0.5) * t51 * t145;
+  const V t148 = t135 + t141 + t147;
+  const V t149 = p[0] * c[0];
+  const V t150 = S(0.5) * t149;
+  const V t151 = t148 * t150;
+  const V t153 = t151 + t128 * t147;
+  const V t158 = t24 * t24 + t6 * t144 + t32 * t32;
+  const V t163 = t11 * t11 + t19 * t131 + t36 * t36;
+  const V t167 = t88 * t88 + t98 * t138 + t93 * t93;
+  const V t168 = t158 + t163 + t167;
+  const V t169 = t150 * t168;
+  const V t170 = t128 * t158 + t169;
+  const V t172 = t51 * t170 + S(2) * t7 * t153;
+  const V t173 = t127 * t128 + t172;
+  const V t176 = t151 + t128 * t141;
+  const V t179 = t169 + t128 * t167;
+  const V t181 = t105 * t179 + S(2) * t93 * t176;
+  const V t184 = t51 * t101 + t7 * t124;
+  const V t188 = t11 * t93 + t36 * t99 + t20 * t88;
+  const V t192 = t65 * t99 + t36 * t111;
+  const V t195 = t11 * t105 + t45 * t93;
+  const V t198 = t20 * t121 + t79 * t88;
+  const V t199 = t192 + t195 + t198;
+  const V t201 = t45 * t188 + t11 * t199;
+  const V t202 = t184 + t201;
+  const V t204 = t181 + t128 * t202;
+  const V t208 = t105 * t188 + t93 * t199;
+  const V t211 = t38 * t51 + t7 * t82;
+  const V t212 = t208 + t211;
+  const V t215 = t151 + t128 * t135;
+  const V t218 = t169 + t128 * t163;
+  const V t220 = t45 * t218 + S(2) * t11 * t215;
+  const V t221 = t128 * t212 + t220;
+  const V t223 = c[3] * t173 + c[6] * t204 + c[9] * t221;
+  const V t227 = c[2] * t173 + c[5] * t204 + c[8] * t221;
+  const V t231 = c[1] * t173 + c[4] * t204 + c[7] * t221;
+  const V t232 = t223 + t227 + t231;
+  const V t235 = t65 * t218 + S(2) * t36 * t215;
+  const V t238 = t99 * t199 + t111 * t188;
+  const V t241 = t38 * t60 + t32 * t82;
+  const V t242 = t238 + t241;
+  const V t244 = t235 + t128 * t242;
+  const V t248 = t32 * t124 + t60 * t101;
+  const V t251 = t36 * t199 + t65 * t188;
+  const V t252 = t248 + t251;
+  const V t256 = t111 * t179 + S(2) * t99 * t176;
+  const V t257 = t128 * t252 + t256;
+  const V t261 = t38 * t65 + t36 * t82;
+  const V t264 = t99 * t124 + t101 * t111;
+  const V t265 = t261 + t264;
+  const V t269 = t60 * t170 + S(2) * t32 * t153;
+  const V t270 = t128 * t265 + t269;
+  const V t272 = c[9] * t244 + c[6] * t257 + c[3] * t270;
+  const V t276 = c[8] * t244 + c[5] * t257 + c[2] * t270;
+  const V t280 = c[7] * t244 + c[4] * t257 + c[1] * t270;
+  const V t281 = t272 + t276 + t280;
+  const V t284 = t79 * t218 + S(2) * t20 * t215;
+  const V t287 = t24 * t82 + t38 * t74;
+  const V t290 = t88 * t199 + t121 * t188;
+  const V t291 = t287 + t290;
+  const V t293 = t284 + t128 * t291;
+  const V t297 = t74 * t170 + S(2) * t24 * t153;
+  const V t300 = t88 * t124 + t101 * t121;
+  const V t303 = t20 * t82 + t38 * t79;
+  const V t304 = t300 + t303;
+  const V t306 = t297 + t128 * t304;
+  const V t310 = t121 * t179 + S(2) * t88 * t176;
+  const V t313 = t79 * t188 + t20 * t199;
+  const V t316 = t24 * t124 + t74 * t101;
+  const V t317 = t313 + t316;
+  const V t319 = t310 + t128 * t317;
+  const V t321 = c[9] * t293 + c[3] * t306 + c[6] * t319;
+  const V t325 = c[8] * t293 + c[2] * t306 + c[5] * t319;
+  const V t329 = c[7] * t293 + c[1] * t306 + c[4] * t319;
+  const V t330 = t321 + t325 + t329;
+  out[0] = -t232;
+  out[1] = -t281;
+  out[2] = -t330;
+  out[3] = t231;
+  out[4] = t280;
+  out[5] = t329;
+  out[6] = t227;
+  out[7] = t276;
+  out[8] = t325;
+  out[9] = t223;
+  out[10] = t272;
+  out[11] = t321;
 }
 
-/// linearize: 104 flops per element
+using product_steps = kernel::NoSteps;
+
+/// linearize: 102 flops per element
 template <class V>
 inline void linearize([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -438,11 +452,12 @@ inline void linearize([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   const V t74 = t28 * t28 + t32 * t71 + t24 * t24;
   const V t75 = t64 + t69 + t74;
   const V t76 = p[0] * c[0];
-  const V t77 = t75 * t76;
-  const V t78 = p[1] * c[0];
-  const V t80 = t77 + S(2) * t69 * t78;
-  const V t82 = t77 + S(2) * t74 * t78;
-  const V t84 = t77 + S(2) * t64 * t78;
+  const V t77 = S(0.5) * t76;
+  const V t78 = t75 * t77;
+  const V t79 = p[1] * c[0];
+  const V t81 = t78 + t69 * t79;
+  const V t83 = t78 + t74 * t79;
+  const V t85 = t78 + t64 * t79;
   out[0] = t6;
   out[1] = t13;
   out[2] = t20;
@@ -455,136 +470,141 @@ inline void linearize([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   out[9] = t50;
   out[10] = t55;
   out[11] = t59;
-  out[12] = t80;
-  out[13] = t82;
-  out[14] = t84;
+  out[12] = t81;
+  out[13] = t83;
+  out[14] = t85;
 }
 
-/// apply: 326 flops per element
+using linearize_steps = kernel::NoSteps;
+
+/// apply: 294 flops per element
 template <class V>
 inline void apply([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
   using S [[maybe_unused]] = kernel::Scalar<V>;
   [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
-  const V t0 = s[2] + S(1);
-  const V t1 = v[0] - v[3];
-  const V t3 = v[0] - v[9];
-  const V t5 = v[0] - v[6];
-  const V t7 = c[7] * t1 + c[9] * t3 + c[8] * t5;
-  const V t12 = c[1] * t1 + c[3] * t3 + c[2] * t5;
-  const V t14 = t0 * t7 + s[6] * t12;
-  const V t15 = v[1] - v[4];
-  const V t17 = v[1] - v[7];
-  const V t19 = v[1] - v[10];
-  const V t21 = c[1] * t15 + c[2] * t17 + c[3] * t19;
-  const V t26 = c[7] * t15 + c[8] * t17 + c[9] * t19;
-  const V t28 = s[7] * t21 + s[0] * t26;
-  const V t29 = s[8] + S(1);
-  const V t30 = v[2] - v[5];
-  const V t32 = v[2] - v[11];
-  const V t34 = v[2] - v[8];
-  const V t36 = c[1] * t30 + c[3] * t32 + c[2] * t34;
-  const V t41 = c[7] * t30 + c[9] * t32 + c[8] * t34;
-  const V t43 = t29 * t36 + s[1] * t41;
-  const V t44 = t14 + t28 + t43;
-  const V t47 = t0 * t44 + s[10] * t12;
-  const V t51 = c[4] * t15 + c[5] * t17 + c[6] * t19;
-  const V t53 = s[5] + S(1);
-  const V t55 = s[7] * t51 + t26 * t53;
-  const V t59 = c[4] * t1 + c[6] * t3 + c[5] * t5;
-  const V t62 = s[6] * t59 + s[3] * t7;
-  const V t66 = c[4] * t30 + c[6] * t32 + c[5] * t34;
-  const V t69 = t29 * t66 + s[4] * t41;
-  const V t70 = t55 + t62 + t69;
-  const V t73 = s[3] * t70 + s[11] * t59;
-  const V t74 = t47 + t73;
-  const V t75 = p[1] * c[0];
-  const V t77 = p[0] * c[0];
-  const V t79 = s[2] + S(2);
-  const V t80 = s[2] + t79;
-  const V t83 = s[0] * t21 + s[1] * t36 + S(0.5) * t12 * t80;
-  const V t86 = s[5] + S(2);
-  const V t87 = s[5] + t86;
-  const V t89 = s[4] * t66 + s[3] * t59 + S(0.5) * t51 * t87;
-  const V t90 = s[8] + S(2);
-  const V t91 = s[8] + t90;
-  const V t95 = s[7] * t26 + s[6] * t7 + S(0.5) * t41 * t91;
-  const V t96 = t83 + t89 + t95;
-  const V t97 = t77 * t96;
-  const V t99 = t97 + S(2) * t75 * t95;
-  const V t102 = s[12] * t7 + S(2) * s[6] * t99;
-  const V t103 = t102 + S(2) * t74 * t75;
-  const V t107 = t97 + S(2) * t75 * t89;
-  const V t109 = s[13] * t59 + S(2) * s[3] * t107;
-  const V t112 = s[0] * t51 + t21 * t53;
-  const V t115 = t0 * t59 + s[3] * t12;
-  const V t118 = s[4] * t36 + s[1] * t66;
-  const V t119 = t112 + t115 + t118;
-  const V t122 = t0 * t119 + s[9] * t12;
-  const V t125 = s[6] * t70 + s[11] * t7;
-  const V t126 = t122 + t125;
-  const V t128 = t109 + S(2) * t75 * t126;
-  const V t132 = s[6] * t44 + s[10] * t7;
-  const V t135 = s[3] * t119 + s[9] * t59;
-  const V t136 = t132 + t135;
-  const V t139 = t97 + S(2) * t75 * t83;
-  const V t142 = s[14] * t12 + S(2) * t0 * t139;
-  const V t143 = t75 * t136 + S(0.5) * t142;
-  const V t145 = c[9] * t103 + c[6] * t128 + S(2) * c[3] * t143;
-  const V t149 = c[8] * t103 + c[5] * t128 + S(2) * c[2] * t143;
-  const V t153 = c[7] * t103 + c[4] * t128 + S(2) * c[1] * t143;
-  const V t154 = t145 + t149 + t153;
-  const V t157 = s[13] * t51 + S(2) * t53 * t107;
-  const V t160 = s[9] * t21 + s[0] * t119;
-  const V t163 = s[11] * t26 + s[7] * t70;
-  const V t164 = t160 + t163;
-  const V t166 = t75 * t164 + S(0.5) * t157;
-  const V t170 = s[9] * t51 + t53 * t119;
-  const V t173 = s[10] * t26 + s[7] * t44;
-  const V t174 = t170 + t173;
-  const V t178 = s[14] * t21 + S(2) * s[0] * t139;
-  const V t179 = t178 + S(2) * t75 * t174;
-  const V t183 = s[12] * t26 + S(2) * s[7] * t99;
-  const V t186 = s[11] * t51 + t53 * t70;
-  const V t189 = s[10] * t21 + s[0] * t44;
-  const V t190 = t186 + t189;
-  const V t192 = t183 + S(2) * t75 * t190;
-  const V t194 = c[3] * t179 + c[9] * t192 + S(2) * c[6] * t166;
-  const V t198 = c[2] * t179 + c[8] * t192 + S(2) * c[5] * t166;
-  const V t202 = c[1] * t179 + c[7] * t192 + S(2) * c[4] * t166;
-  const V t203 = t194 + t198 + t202;
-  const V t206 = s[1] * t119 + s[9] * t36;
-  const V t209 = t29 * t70 + s[11] * t41;
-  const V t210 = t206 + t209;
-  const V t214 = s[13] * t66 + S(2) * s[4] * t107;
-  const V t215 = t214 + S(2) * t75 * t210;
-  const V t219 = s[12] * t41 + S(2) * t29 * t99;
-  const V t222 = s[1] * t44 + s[10] * t36;
-  const V t225 = s[11] * t66 + s[4] * t70;
-  const V t226 = t222 + t225;
-  const V t228 = t75 * t226 + S(0.5) * t219;
-  const V t232 = s[4] * t119 + s[9] * t66;
-  const V t235 = t29 * t44 + s[10] * t41;
-  const V t236 = t232 + t235;
-  const V t240 = s[14] * t36 + S(2) * s[1] * t139;
-  const V t241 = t240 + S(2) * t75 * t236;
-  const V t243 = c[9] * t228 + S(0.5) * (c[6] * t215 + c[3] * t241);
-  const V t247 = c[8] * t228 + S(0.5) * (c[5] * t215 + c[2] * t241);
-  const V t251 = c[7] * t228 + S(0.5) * (c[4] * t215 + c[1] * t241);
-  const V t252 = t243 + t247 + t251;
-  out[0] = -S(0.083333333333333329) * t154;
-  out[1] = -S(0.083333333333333329) * t203;
-  out[2] = -S(0.16666666666666666) * t252;
-  out[3] = S(0.083333333333333329) * t153;
-  out[4] = S(0.083333333333333329) * t202;
-  out[5] = S(0.16666666666666666) * t251;
-  out[6] = S(0.083333333333333329) * t149;
-  out[7] = S(0.083333333333333329) * t198;
-  out[8] = S(0.16666666666666666) * t247;
-  out[9] = S(0.083333333333333329) * t145;
-  out[10] = S(0.083333333333333329) * t194;
-  out[11] = S(0.16666666666666666) * t243;
+  const V t0 = v[0] - v[3];
+  const V t2 = v[0] - v[9];
+  const V t4 = v[0] - v[6];
+  const V t6 = c[1] * t0 + c[3] * t2 + c[2] * t4;
+  const V t8 = s[2] + S(1);
+  const V t9 = v[1] - v[4];
+  const V t11 = v[1] - v[7];
+  const V t13 = v[1] - v[10];
+  const V t15 = c[1] * t9 + c[2] * t11 + c[3] * t13;
+  const V t17 = s[2] + S(2);
+  const V t18 = s[2] + t17;
+  const V t20 = v[2] - v[5];
+  const V t22 = v[2] - v[11];
+  const V t24 = v[2] - v[8];
+  const V t26 = c[1] * t20 + c[3] * t22 + c[2] * t24;
+  const V t28 = s[0] * t15 + s[1] * t26 + S(0.5) * t6 * t18;
+  const V t29 = p[1] * c[0];
+  const V t31 = p[0] * c[0];
+  const V t32 = S(0.5) * t31;
+  const V t36 = c[4] * t20 + c[6] * t22 + c[5] * t24;
+  const V t41 = c[4] * t0 + c[6] * t2 + c[5] * t4;
+  const V t43 = s[5] + S(2);
+  const V t44 = s[5] + t43;
+  const V t48 = c[4] * t9 + c[5] * t11 + c[6] * t13;
+  const V t50 = s[4] * t36 + s[3] * t41 + S(0.5) * t44 * t48;
+  const V t51 = s[8] + S(2);
+  const V t52 = s[8] + t51;
+  const V t56 = c[7] * t20 + c[9] * t22 + c[8] * t24;
+  const V t61 = c[7] * t9 + c[8] * t11 + c[9] * t13;
+  const V t66 = c[7] * t0 + c[9] * t2 + c[8] * t4;
+  const V t68 = s[7] * t61 + s[6] * t66 + S(0.5) * t52 * t56;
+  const V t69 = t28 + t50 + t68;
+  const V t70 = t32 * t69;
+  const V t71 = t28 * t29 + t70;
+  const V t73 = s[14] * t6 + S(2) * t8 * t71;
+  const V t76 = t8 * t66 + s[6] * t6;
+  const V t79 = s[7] * t15 + s[0] * t61;
+  const V t80 = s[8] + S(1);
+  const V t83 = t26 * t80 + s[1] * t56;
+  const V t84 = t76 + t79 + t83;
+  const V t87 = s[6] * t84 + s[10] * t66;
+  const V t89 = s[5] + S(1);
+  const V t91 = s[0] * t48 + t15 * t89;
+  const V t94 = t8 * t41 + s[3] * t6;
+  const V t97 = s[4] * t26 + s[1] * t36;
+  const V t98 = t91 + t94 + t97;
+  const V t101 = s[3] * t98 + s[9] * t41;
+  const V t102 = t87 + t101;
+  const V t104 = t73 + t29 * t102;
+  const V t108 = t8 * t98 + s[9] * t6;
+  const V t111 = s[7] * t48 + t61 * t89;
+  const V t114 = s[6] * t41 + s[3] * t66;
+  const V t117 = t36 * t80 + s[4] * t56;
+  const V t118 = t111 + t114 + t117;
+  const V t121 = s[6] * t118 + s[11] * t66;
+  const V t122 = t108 + t121;
+  const V t125 = t70 + t29 * t50;
+  const V t128 = s[13] * t41 + S(2) * s[3] * t125;
+  const V t129 = t29 * t122 + t128;
+  const V t133 = t8 * t84 + s[10] * t6;
+  const V t136 = s[3] * t118 + s[11] * t41;
+  const V t137 = t133 + t136;
+  const V t140 = t70 + t29 * t68;
+  const V t143 = s[12] * t66 + S(2) * s[6] * t140;
+  const V t144 = t29 * t137 + t143;
+  const V t146 = c[3] * t104 + c[6] * t129 + c[9] * t144;
+  const V t150 = c[2] * t104 + c[5] * t129 + c[8] * t144;
+  const V t154 = c[1] * t104 + c[4] * t129 + c[7] * t144;
+  const V t155 = t146 + t150 + t154;
+  const V t158 = s[9] * t48 + t89 * t98;
+  const V t161 = s[10] * t61 + s[7] * t84;
+  const V t162 = t158 + t161;
+  const V t166 = s[14] * t15 + S(2) * s[0] * t71;
+  const V t167 = t29 * t162 + t166;
+  const V t171 = s[12] * t61 + S(2) * s[7] * t140;
+  const V t174 = s[11] * t48 + t89 * t118;
+  const V t177 = s[10] * t15 + s[0] * t84;
+  const V t178 = t174 + t177;
+  const V t180 = t171 + t29 * t178;
+  const V t184 = s[9] * t15 + s[0] * t98;
+  const V t187 = s[11] * t61 + s[7] * t118;
+  const V t188 = t184 + t187;
+  const V t192 = s[13] * t48 + S(2) * t89 * t125;
+  const V t193 = t29 * t188 + t192;
+  const V t195 = c[3] * t167 + c[9] * t180 + c[6] * t193;
+  const V t199 = c[2] * t167 + c[8] * t180 + c[5] * t193;
+  const V t203 = c[1] * t167 + c[7] * t180 + c[4] * t193;
+  const V t204 = t195 + t199 + t203;
+  const V t207 = s[12] * t56 + S(2) * t80 * t140;
+  const V t210 = s[1] * t84 + s[10] * t26;
+  const V t213 = s[11] * t36 + s[4] * t118;
+  const V t214 = t210 + t213;
+  const V t216 = t207 + t29 * t214;
+  const V t220 = s[13] * t36 + S(2) * s[4] * t125;
+  const V t223 = s[1] * t98 + s[9] * t26;
+  const V t226 = t80 * t118 + s[11] * t56;
+  const V t227 = t223 + t226;
+  const V t229 = t220 + t29 * t227;
+  const V t233 = s[4] * t98 + s[9] * t36;
+  const V t236 = t80 * t84 + s[10] * t56;
+  const V t237 = t233 + t236;
+  const V t241 = s[14] * t26 + S(2) * s[1] * t71;
+  const V t242 = t29 * t237 + t241;
+  const V t244 = c[9] * t216 + c[6] * t229 + c[3] * t242;
+  const V t248 = c[8] * t216 + c[5] * t229 + c[2] * t242;
+  const V t252 = c[7] * t216 + c[4] * t229 + c[1] * t242;
+  const V t253 = t244 + t248 + t252;
+  out[0] = -t155;
+  out[1] = -t204;
+  out[2] = -t253;
+  out[3] = t154;
+  out[4] = t203;
+  out[5] = t252;
+  out[6] = t150;
+  out[7] = t199;
+  out[8] = t248;
+  out[9] = t146;
+  out[10] = t195;
+  out[11] = t244;
 }
+
+using apply_steps = kernel::NoSteps;
 
 /// stiffness: linearize once, apply along every unit direction; K = -product
 template <class V>
@@ -602,6 +622,8 @@ inline void stiffness([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
     for (int i = 0; i < 12; ++i) out[i * 12 + j] = -column[i];
   }
 }
+
+using stiffness_steps = kernel::NoSteps;
 
 }  // namespace general
 

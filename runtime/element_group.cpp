@@ -48,6 +48,7 @@ NodalPass<Scalar> ElementGroup<Scalar>::nodal_pass() const {
   const std::size_t l = static_cast<std::size_t>(lanes);
   NodalPass<Scalar> pass;
   pass.arguments = arguments_of_set(0, 0);
+  pass.batches_at_once = kernels->batches_at_once;
   pass.positions_stride = values_per_batch();
   pass.constants_stride = static_cast<std::size_t>(kernels->num_constants) * l;
   pass.state_stride = static_cast<std::size_t>(kernels->num_state) * l;
@@ -147,7 +148,7 @@ void compute_constants(ElementGroup<Scalar>& group, int threads) {
   for (std::size_t set = 0; set < group.num_sets; ++set) {
     KernelArguments<Scalar> arguments = group.arguments_of_set(set, 0);
     arguments.output = group.constants.data() + set * per_set;
-    group.kernels->constants(arguments);
+    group.kernels->constants(&arguments, 1);
   }
   if (!group.kernels->reads_positions) group.positions = {};
 }

@@ -49,7 +49,7 @@ template <class Layout, class Scalar>
   arguments.output = output;
   alignas(kernel_alignment) std::uint32_t flags[Layout::lanes] = {};
   arguments.status = flags;
-  (group.kernels->*pass.kernel)(arguments);
+  (group.kernels->*pass.kernel)(&arguments, 1);
   std::uint32_t any = status_ok;
   for (int l = 0; l < Layout::lanes; ++l) any |= flags[l];
   return any == status_ok ? ElementStatus{} : batch_status(group, batch, flags);

@@ -27,17 +27,20 @@
 
 namespace elastogen {
 
-inline constexpr std::uint32_t kernel_abi_version = 4;
+inline constexpr std::uint32_t kernel_abi_version = 5;
 
 /// Most lanes that a batch may have: one 64-byte vector, 8 doubles or 16 floats. A table has as
 /// many as the vectors that its kernels were compiled for, a power of 2; 1 for scalar kernels.
 template <class Scalar>
 inline constexpr int most_lanes = static_cast<int>(64 / sizeof(Scalar));
 
+/// Most batches that a kernel computes in one call.
+inline constexpr int most_batches_at_once = 4;
+
 /// Bits of the per-element status; 0 is a good result.
 enum KernelStatus : std::uint32_t {
   status_ok = 0,
-  status_not_finite = 1,  ///< an output is NaN or infinite
+  status_not_finite = 1,  ///< an output is NaN or infinite, or their sum overflows
   status_outside_domain =
       2,  ///< the law's domain was left (the argument of a logarithm or root <= 0)
 };
@@ -62,8 +65,10 @@ struct KernelArguments {
   std::uint32_t* status = nullptr;  ///< [L], bits are or-ed in; null: not reported
 };
 
+/// Computes `count` batches, at most most_batches_at_once. They get what each would get alone, to
+/// the bit; kernels that wait for functions fill the wait with the other batches.
 template <class Scalar>
-using KernelFunction = void (*)(const KernelArguments<Scalar>&);
+using KernelFunction = void (*)(const KernelArguments<Scalar>* batches, int count);
 
 /// A kernel of nodal outputs (forces, product, apply) over batches of one group, from global
 /// vectors into one. Global vectors are node-major and of doubles, whatever the kernel's precision:
@@ -73,6 +78,7 @@ using KernelFunction = void (*)(const KernelArguments<Scalar>&);
 template <class Scalar>
 struct NodalPass {
   KernelFunction<Scalar> kernel = nullptr;
+  int batches_at_once = 1;
   /// Parameters, and positions, constants, state of set 0 (null: not read); the rest is not used.
   KernelArguments<Scalar> arguments;
   std::size_t positions_stride = 0;      ///< numbers from one set to the next
@@ -94,6 +100,12 @@ struct NodalPass {
 template <class Scalar>
 using NodalPassFunction = std::uint32_t (*)(const NodalPass<Scalar>&);
 
+/// Time that kernels take for an element whose operands are in cache, in additions
+/// (symgen/passes/cost.h): what TangentProduct::automatic compares.
+struct KernelCosts {
+  double product, linearize, apply;
+};
+
 /// The kernels of one geometry variant ("general", "affine", "box") of an association.
 template <class Scalar>
 struct VariantTable {
@@ -101,6 +113,9 @@ struct VariantTable {
   std::int32_t num_constants;
   std::int32_t num_state;
   bool reads_positions;  ///< energy ... stiffness recompute something from the rest positions
+  /// How many batches a pass shall give nodal kernels in one call.
+  std::int32_t batches_at_once;
+  KernelCosts costs;
   KernelFunction<Scalar> constants;
   KernelFunction<Scalar> geometry_measures;  ///< operation `geometry` above
   KernelFunction<Scalar> energy;             ///< null: not generated for this scene; so below

@@ -75,39 +75,81 @@ inline void report_status(const V& margin, const V& residue, std::uint32_t* stat
   }
 }
 
-/// Sums outputs times zero: zero unless one is infinite or not a number, found without branches. In
-/// four sums, as each addition waits for the one before it.
+/// The sum of outputs times zero: zero unless one is infinite or not a number (or all are so great
+/// that their sum is), found without branches and by additions, for which units are free where
+/// kernels multiply. In four sums, as each addition waits for the one before it.
 template <class V>
 struct Residue {
-  void add(int k, const V& output) { parts[k % 4] += output * Scalar<V>(0); }
-  [[nodiscard]] V sum() const { return (parts[0] + parts[1]) + (parts[2] + parts[3]); }
+  void add(int k, const V& output) { parts[k % 4] += output; }
+  [[nodiscard]] V sum() const {
+    return ((parts[0] + parts[1]) + (parts[2] + parts[3])) * Scalar<V>(0);
+  }
   V parts[4] = {};
 };
 
-/// A kernel of the ABI from a kernel template: `compute(in, out, margin)` fills num_outputs packs.
-template <class V, int num_outputs, class Compute>
-inline void run(const KernelArguments<Scalar<V>>& arguments, const Compute& compute) {
+/// Inputs of a batch.
+template <class V>
+inline Inputs<V> inputs_of(const KernelArguments<Scalar<V>>& batch) {
   const auto packs = [](const Scalar<V>* data) { return reinterpret_cast<const V*>(data); };
-  const Inputs<V> in{packs(arguments.positions), arguments.parameters,
-                     packs(arguments.constants), packs(arguments.displacement),
-                     packs(arguments.direction), packs(arguments.state)};
-  V* const output = reinterpret_cast<V*>(arguments.output);
-  V margin = V{} + Scalar<V>(1);
+  return {packs(batch.positions),    batch.parameters,       packs(batch.constants),
+          packs(batch.displacement), packs(batch.direction), packs(batch.state)};
+}
+
+/// Writes a batch's num_outputs packs, which `compute(out)` fills, and its status.
+template <class V, int num_outputs, class Compute>
+inline void write(const KernelArguments<Scalar<V>>& batch, const V& margin,
+                  const Compute& compute) {
+  V* const output = reinterpret_cast<V*>(batch.output);
   Residue<V> residue;
   // Few results stay in registers, which no input can alias.
   constexpr int most_in_registers = 64;
   if constexpr (num_outputs > most_in_registers) {
-    compute(in, output, margin);
+    compute(output);
     for (int k = 0; k < num_outputs; ++k) residue.add(k, output[k]);
   } else if constexpr (num_outputs > 0) {
     V result[num_outputs];
-    compute(in, result, margin);
+    compute(result);
     for (int k = 0; k < num_outputs; ++k) {
       residue.add(k, result[k]);
       output[k] = result[k];
     }
   }
-  if (arguments.status != nullptr) report_status(margin, residue.sum(), arguments.status);
+  if (batch.status != nullptr) report_status(margin, residue.sum(), batch.status);
+}
+
+/// Of an operation that is one step.
+struct NoSteps {
+  static constexpr int num_carried = 0;
+};
+
+/// A kernel of the ABI from a kernel template, `compute(in, out, margin)` of one batch, or from its
+/// steps, each of which all batches take before the next.
+template <class V, int num_outputs, class Steps, class Compute>
+inline void run(const KernelArguments<Scalar<V>>* batches, int count,
+                [[maybe_unused]] const Compute& compute) {
+  if constexpr (Steps::num_carried == 0) {
+    for (int k = 0; k < count; ++k) {
+      V margin = V{} + Scalar<V>(1);
+      const Inputs<V> in = inputs_of<V>(batches[k]);
+      write<V, num_outputs>(batches[k], margin, [&](V* out) { compute(in, out, margin); });
+    }
+  } else {
+    V carried[most_batches_at_once][Steps::num_carried];
+    V margin[most_batches_at_once];
+    for (int k = 0; k < count; ++k) {
+      margin[k] = V{} + Scalar<V>(1);
+      Steps::template arguments<V>(inputs_of<V>(batches[k]), carried[k], carried[k], margin[k]);
+    }
+    for (int k = 0; k < count; ++k) {
+      Steps::template functions<V>(inputs_of<V>(batches[k]), carried[k], carried[k], margin[k]);
+    }
+    for (int k = 0; k < count; ++k) {
+      const Inputs<V> in = inputs_of<V>(batches[k]);
+      write<V, num_outputs>(batches[k], margin[k], [&](V* out) {
+        Steps::template rest<V>(in, carried[k], out, margin[k]);
+      });
+    }
+  }
 }
 
 }  // namespace ELASTOGEN_INSTRUCTION_SET

@@ -79,10 +79,12 @@ inline Triple<8> load_nodes<8>(const std::int32_t* dofs, const double* u) {
           __builtin_shufflevector(xz01, xz23, 2, 3, 10, 11, 6, 7, 14, 15)};
 }
 
-/// sum[dof + i] += value of each lane, one lane after the other: lanes may share nodes. Written as
-/// x and y together and z: a store that reached into the next node would make that one's load wait.
+/// sum[dof + i] += scale * value of each lane, one lane after the other: lanes may share nodes.
+/// Written as x and y together and z: a store that reached into the next node would make that one's
+/// load wait.
 template <int lanes>
-inline void add_to_nodes(const std::int32_t* dofs, const Triple<lanes>& value, double* sum) {
+inline void add_to_nodes(const std::int32_t* dofs, const Triple<lanes>& value, double scale,
+                         double* sum) {
   // No structured binding: clang 14 does not capture these.
   const auto pairs = interleaved(value.x, value.y);
   const auto add_lane = [&](auto lane) {
@@ -91,9 +93,9 @@ inline void add_to_nodes(const std::int32_t* dofs, const Triple<lanes>& value, d
     double* const node = sum + dofs[l];
     Pack<double, 2> xy;
     std::memcpy(&xy, node, sizeof xy);
-    xy += __builtin_shufflevector(of_two, of_two, pair, pair + 1);
+    xy += scale * __builtin_shufflevector(of_two, of_two, pair, pair + 1);
     std::memcpy(node, &xy, sizeof xy);
-    node[2] += value.z[l];
+    node[2] += scale * value.z[l];
   };
   [&]<int... lane>(std::integer_sequence<int, lane...>) {
     (add_lane(std::integral_constant<int, lane>{}), ...);
@@ -189,12 +191,12 @@ inline void add_packs(const std::int32_t* dofs, const V* value, double scale, do
     const V* const v = value + 3 * a;
     const std::int32_t* const node = dofs + lanes * a;
     if constexpr (std::is_same_v<Scalar<V>, double>) {
-      add_to_nodes<lanes>(node, {scale * v[0], scale * v[1], scale * v[2]}, sum);
+      add_to_nodes<lanes>(node, {v[0], v[1], v[2]}, scale, sum);
     } else {
       constexpr int half = lanes / 2;
       const auto add_half = [&](const std::int32_t* nodes, const auto& x, const auto& y,
                                 const auto& z) {
-        add_to_nodes<half>(nodes, {scale * x, scale * y, scale * z}, sum);
+        add_to_nodes<half>(nodes, {x, y, z}, scale, sum);
       };
       add_half(node, low_doubles(v[0]), low_doubles(v[1]), low_doubles(v[2]));
       add_half(node + half, high_doubles(v[0]), high_doubles(v[1]), high_doubles(v[2]));
@@ -217,26 +219,33 @@ std::uint32_t nodal_pass(const NodalPass<Scalar<V>>& pass) {
   constexpr int lanes = lanes_of<V>;
   constexpr int num_dofs = num_nodes * dim;
   constexpr bool by_vectors = dim == 3 && lanes >= (std::is_same_v<S, double> ? 4 : 8);
-  V displacement[num_dofs], direction[num_dofs], output[num_dofs];
+  struct Packs {
+    V displacement[num_dofs], direction[num_dofs], output[num_dofs];
+  };
+  Packs packs[most_batches_at_once];
   alignas(64) std::uint32_t flags[lanes] = {};
-  KernelArguments<S> arguments{};
-  arguments.parameters = pass.arguments.parameters;
-  arguments.displacement = reinterpret_cast<S*>(displacement);
-  arguments.direction = reinterpret_cast<S*>(direction);
-  arguments.output = reinterpret_cast<S*>(output);
-  arguments.status = flags;
+  KernelArguments<S> arguments[most_batches_at_once];
   double* const sum = pass.sum - pass.first_dof;
   constexpr std::size_t bytes_ahead = 4096;
   const std::size_t ahead = 1 + bytes_ahead / (sizeof(S) * (1 + pass.constants_stride));
-  for (std::size_t batch = pass.begin; batch < pass.end; ++batch) {
+
+  const auto dofs_of = [&](std::size_t batch) {
+    return pass.dofs + batch * static_cast<std::size_t>(num_nodes * lanes);
+  };
+  const auto gather = [&](std::size_t batch, Packs& into, KernelArguments<S>& to) {
     const std::size_t set =
         pass.shape != nullptr ? static_cast<std::size_t>(pass.shape[batch]) : batch;
     const auto at = [](const S* data, std::size_t offset) {
       return data != nullptr ? data + offset : nullptr;
     };
-    arguments.positions = at(pass.arguments.positions, set * pass.positions_stride);
-    arguments.constants = at(pass.arguments.constants, set * pass.constants_stride);
-    arguments.state = at(pass.arguments.state, batch * pass.state_stride);
+    to.positions = at(pass.arguments.positions, set * pass.positions_stride);
+    to.parameters = pass.arguments.parameters;
+    to.constants = at(pass.arguments.constants, set * pass.constants_stride);
+    to.state = at(pass.arguments.state, batch * pass.state_stride);
+    to.displacement = reinterpret_cast<S*>(into.displacement);
+    to.direction = reinterpret_cast<S*>(into.direction);
+    to.output = reinterpret_cast<S*>(into.output);
+    to.status = flags;
     if (pass.shape == nullptr && batch + ahead < pass.end) {
       const auto fetch = [&](const S* data, std::size_t stride) {
         if (data != nullptr) prefetch(data + (batch + ahead) * stride, stride);
@@ -245,29 +254,40 @@ std::uint32_t nodal_pass(const NodalPass<Scalar<V>>& pass) {
       fetch(pass.arguments.constants, pass.constants_stride);
       fetch(pass.arguments.state, pass.state_stride);
     }
-    const std::int32_t* const dofs =
-        pass.dofs + batch * static_cast<std::size_t>(num_nodes * lanes);
-    const auto gather = [&](const double* from, V* to) {
+    const auto gather_field = [&](const double* from, V* field) {
       if (from == nullptr) return;
       if constexpr (by_vectors) {
-        gather_packs<num_nodes>(dofs, from, to);
+        gather_packs<num_nodes>(dofs_of(batch), from, field);
       } else {
-        gather_numbers<S, dim, lanes>(dofs, num_nodes, from, reinterpret_cast<S*>(to));
+        gather_numbers<S, dim, lanes>(dofs_of(batch), num_nodes, from, reinterpret_cast<S*>(field));
       }
     };
-    gather(pass.displacement, displacement);
-    gather(pass.direction, direction);
-    pass.kernel(arguments);
+    gather_field(pass.displacement, into.displacement);
+    gather_field(pass.direction, into.direction);
+  };
+  const auto add = [&](std::size_t batch, const V* output) {
     const std::size_t left = pass.num_elements - batch * static_cast<std::size_t>(lanes);
     if constexpr (by_vectors) {
       if (left >= static_cast<std::size_t>(lanes)) {
-        add_packs<num_nodes>(dofs, output, pass.scale, sum);
-        continue;
+        add_packs<num_nodes>(dofs_of(batch), output, pass.scale, sum);
+        return;
       }
     }
     const int used = left < static_cast<std::size_t>(lanes) ? static_cast<int>(left) : lanes;
-    add_numbers<S, dim, lanes>(dofs, num_nodes, used, reinterpret_cast<const S*>(output),
+    add_numbers<S, dim, lanes>(dofs_of(batch), num_nodes, used, reinterpret_cast<const S*>(output),
                                pass.scale, sum);
+  };
+
+  for (std::size_t first = pass.begin; first < pass.end;) {
+    const std::size_t left = pass.end - first;
+    const int count = left < static_cast<std::size_t>(pass.batches_at_once) ? static_cast<int>(left)
+                                                                            : pass.batches_at_once;
+    for (int k = 0; k < count; ++k) {
+      gather(first + static_cast<std::size_t>(k), packs[k], arguments[k]);
+    }
+    pass.kernel(arguments, count);
+    for (int k = 0; k < count; ++k) add(first + static_cast<std::size_t>(k), packs[k].output);
+    first += static_cast<std::size_t>(count);
   }
   std::uint32_t all = status_ok;
   for (const std::uint32_t flag : flags) all |= flag;

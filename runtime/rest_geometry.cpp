@@ -184,7 +184,7 @@ void measure_rest_shapes(const ElementGroup<double>& group, const Mesh& mesh,
   for (std::size_t batch = 0; batch < group.num_batches; ++batch) {
     KernelArguments<double> arguments = group.arguments(batch);
     arguments.output = out.data();
-    group.kernels->geometry_measures(arguments);
+    group.kernels->geometry_measures(&arguments, 1);
     const std::size_t used = static_cast<std::size_t>(group.used_lanes(batch));
     for (std::size_t lane = 0; lane < used; ++lane) {
       const std::size_t k = batch * lanes + lane;

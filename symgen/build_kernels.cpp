@@ -336,6 +336,9 @@ class Builder {
         outputs.resize(each.roots.size() + each.margins.size(), Output::margin);
         const std::vector<NodeId> values = values_of(each);
         operation->fragments.push_back(make_fragment(kernels_.dag, values, outputs, inputs, style));
+        if (!at_rest && operation->pieces.size() == 1) {
+          operation->steps = make_steps(kernels_.dag, values, outputs, inputs, style);
+        }
         if (!at_rest && !indices_read(operation->fragments.back(), Slot::position).empty()) {
           kernels_.reads_positions = true;
         }

@@ -10,8 +10,10 @@
 //                                     or symgen/mechanics/ginac_derivatives (--derive ginac)
 //     -> fragments                    symgen/passes/split
 //     -> factored, common pairs out   symgen/passes/factor, group_stages, share_pairs
+//     -> fewer numbers                symgen/passes/balance_numbers, absorb_factor
 //     -> grouped constants, state     symgen/passes/extract_grouped_constants
 //     -> statements in order          symgen/emit/kernel_ast
+//     -> steps around functions       symgen/passes/cut_at_functions (C++ only)
 //     -> C++ text, OpenCL C text      symgen/emit/print_cpp, print_opencl (both of the same
 //                                     statements, by the walk of operation_printer)
 //

@@ -7,10 +7,10 @@
 namespace elastogen::symgen {
 namespace {
 
-long flops_of(const OperationKernels& operation) {
-  long flops = 0;
-  for (const Fragment& fragment : operation.fragments) flops += fragment.operations.flops();
-  return flops;
+OperationCount count_of(const OperationKernels& operation) {
+  OperationCount count;
+  for (const Fragment& fragment : operation.fragments) count += fragment.operations;
+  return count;
 }
 
 }  // namespace
@@ -24,19 +24,19 @@ bool reads(const OperationKernels& operation, Slot slot) {
                      [&](const Fragment& each) { return !indices_read(each, slot).empty(); });
 }
 
-long VariantKernels::flops(const std::string& name) const {
+OperationCount VariantKernels::operations_of(const std::string& name) const {
   const OperationKernels& kernel = operation(name);
-  const long flops = flops_of(kernel);
-  if (!loop || name == "geometry") return flops;
-  if (name == "constants" && loop->is_affine) return flops_of(loop->jacobian) + flops;
-  long total = static_cast<long>(num_points) * flops;
+  const OperationCount of_kernel = count_of(kernel);
+  if (!loop || name == "geometry") return of_kernel;
+  const bool is_once = name == "constants" && loop->is_affine;
+  OperationCount total = of_kernel.times(is_once ? 1 : num_points);
   for (const Slot field : {Slot::position, Slot::displacement, Slot::direction}) {
     if (!reads(kernel, field)) continue;
     const bool is_same = field == Slot::position && loop->is_affine;
-    total += flops_of(is_same ? loop->jacobian : loop->interpolate);
+    total += count_of(is_same ? loop->jacobian : loop->interpolate);
   }
-  if (name == "energy") total += flops_of(loop->weigh);
-  if (is_nodal(name)) total += flops_of(loop->integrate);
+  if (name == "energy") total += count_of(loop->weigh);
+  if (is_nodal(name)) total += count_of(loop->integrate);
   return total;
 }
 

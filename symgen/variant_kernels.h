@@ -24,6 +24,8 @@ struct OperationKernels {
   int num_outputs = 0;
   std::vector<Piece> pieces;        ///< in VariantKernels::dag, before scheduling
   std::vector<Fragment> fragments;  ///< one per piece
+  /// The one fragment in steps, if it waits for functions.
+  std::optional<Steps> steps = std::nullopt;
 };
 
 /// Whether an operation gives nodal values: forces, product, apply.
@@ -65,7 +67,8 @@ struct VariantKernels {
   std::optional<PointLoop> loop;
 
   /// Of an operation, per element.
-  [[nodiscard]] long flops(const std::string& name) const;
+  [[nodiscard]] OperationCount operations_of(const std::string& name) const;
+  [[nodiscard]] long flops(const std::string& name) const { return operations_of(name).flops(); }
   /// Numbers that an operation of an element computes.
   [[nodiscard]] int num_outputs(const OperationKernels& operation) const;
   /// How often an element stores the constants: for each point of a loop, or once.

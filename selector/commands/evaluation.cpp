@@ -36,13 +36,15 @@ class Batch {
         displacement_(spread(input.displacement)),
         direction_(spread(input.direction)),
         status_(lanes_, status_ok) {
-    variant.constants(arguments(constants_.data()));
+    const KernelArguments<Scalar> batch = arguments(constants_.data());
+    variant.constants(&batch, 1);
   }
 
   /// Calls a kernel with `count` outputs per element.
   [[nodiscard]] std::vector<double> call(KernelFunction<Scalar> kernel, std::size_t count) {
     AlignedVector<Scalar> output(count * lanes_, Scalar(0));
-    kernel(arguments(output.data()));
+    const KernelArguments<Scalar> batch = arguments(output.data());
+    kernel(&batch, 1);
     std::vector<double> result;
     for (std::size_t k = 0; k < count; ++k) {
       const Scalar* lane = output.data() + k * lanes_;

@@ -68,6 +68,8 @@ std::string ExpressionPrinter::array_name(Slot slot) {
       return "v";
     case Slot::state:
       return "s";
+    case Slot::carried:
+      return "w";
     case Slot::number:
     case Slot::temporary:
       break;

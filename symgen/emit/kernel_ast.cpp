@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "runtime/error.h"
+#include "symgen/passes/cut_at_functions.h"
 
 namespace elastogen::symgen {
 namespace {
@@ -348,6 +349,40 @@ Fragment make_fragment(const Dag& dag, std::span<const NodeId> roots, std::span<
   Scheduler scheduler(dag, inputs, style);
   for (std::size_t k = 0; k < roots.size(); ++k) scheduler.output(roots[k], outputs[k]);
   return scheduler.take();
+}
+
+std::optional<Steps> make_steps(const Dag& dag, std::span<const NodeId> roots,
+                                std::span<const int> outputs, const Inputs& inputs,
+                                SumStyle style) {
+  std::vector<bool> is_input(dag.size(), false);
+  for (const auto& [node, reference] : inputs) is_input[node] = true;
+  const std::optional<FunctionCut> cut = cut_at_functions(dag, roots, is_input);
+  if (!cut) return std::nullopt;
+
+  Steps steps;
+  Inputs known = inputs;
+  const auto step = [&](int number, const std::vector<NodeId>& stored) {
+    std::vector<NodeId> values = stored;
+    std::vector<int> places;
+    Inputs next = known;
+    for (const NodeId value : stored) {
+      next[value] = {Slot::carried, steps.num_carried};
+      places.push_back(steps.num_carried++);
+    }
+    for (std::size_t k = 0; k < roots.size(); ++k) {
+      const bool is_margin = outputs[k] == Output::margin;
+      if (number != (is_margin ? cut->step_of_root[k] : 2)) continue;
+      values.push_back(roots[k]);
+      places.push_back(outputs[k]);
+    }
+    Fragment fragment = make_fragment(dag, values, places, known, style);
+    known = std::move(next);
+    return fragment;
+  };
+  steps.arguments = step(0, cut->arguments);
+  steps.functions = step(1, cut->functions);
+  steps.rest = step(2, {});
+  return steps;
 }
 
 std::vector<FragmentGroup> group_fragments(const std::vector<Fragment>& fragments) {

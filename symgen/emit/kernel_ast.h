@@ -2,6 +2,7 @@
 #pragma once
 
 #include <compare>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -22,6 +23,7 @@ enum class Slot : std::uint8_t {
   displacement,
   direction,
   state,
+  carried,  ///< stored by an earlier step
   temporary
 };
 
@@ -87,6 +89,13 @@ struct Fragment {
   OperationCount operations;
 };
 
+/// A fragment in three steps (passes/cut_at_functions.h). The outputs of the first two are values
+/// that later steps read, Slot::carried.
+struct Steps {
+  Fragment arguments, functions, rest;
+  int num_carried = 0;
+};
+
 /// Indices into an input array that a fragment reads.
 [[nodiscard]] std::set<int> indices_read(const Fragment& fragment, Slot slot);
 
@@ -98,6 +107,11 @@ using Inputs = std::unordered_map<NodeId, Reference>;
 [[nodiscard]] Fragment make_fragment(const Dag& dag, std::span<const NodeId> roots,
                                      std::span<const int> outputs, const Inputs& inputs,
                                      SumStyle style);
+
+/// The same computation in steps, if it waits for functions.
+[[nodiscard]] std::optional<Steps> make_steps(const Dag& dag, std::span<const NodeId> roots,
+                                              std::span<const int> outputs, const Inputs& inputs,
+                                              SumStyle style);
 
 /// Fragments that differ only in numbers, in which grouped constants or state they read, and in
 /// which outputs they write: emitted once, with one row of numbers and indices per member.

@@ -5,12 +5,6 @@
 namespace elastogen::symgen {
 namespace {
 
-void close_function(SourceWriter& out) {
-  out.outdent();
-  out.line("}");
-  out.line();
-}
-
 /// "{1, 2, 3}"
 template <class Row, class Text>
 std::string braced(const Row& row, const Text& text) {
@@ -44,7 +38,7 @@ void OperationPrinter::print_operation(const VariantKernels& kernels,
     print_loop(kernels, operation, out);
   } else if (operation.fragments.size() == 1) {
     out.line(summary(operation, 1));
-    print_whole(operation, function_name(operation.name), Role::whole, out);
+    print_function(operation, function_name(operation.name), out);
   } else {
     print_fragments(operation, out);
   }
@@ -75,19 +69,51 @@ void OperationPrinter::print_fragments(const OperationKernels& operation, Source
   close_function(out);
 }
 
+void OperationPrinter::print_function(const OperationKernels& operation, const std::string& name,
+                                      SourceWriter& out) const {
+  print_whole(operation, name, Role::whole, out);
+}
+
+void OperationPrinter::open_loop(const std::string& counter, const std::string& first,
+                                 const std::string& end, SourceWriter& out) {
+  out.line(fmt::format("for (int {0} = {1}; {0} < {2}; ++{0}) {{", counter, first, end));
+  out.indent();
+}
+
+void OperationPrinter::close_block(SourceWriter& out) {
+  out.outdent();
+  out.line("}");
+}
+
+void OperationPrinter::close_function(SourceWriter& out) {
+  close_block(out);
+  out.line();
+}
+
+void OperationPrinter::print_points(const OperationKernels&, const std::string& name,
+                                    int num_points, const Arrays& arrays, SourceWriter& out) const {
+  open_loop("g", "0", std::to_string(num_points), out);
+  out.line(call_with(name, arrays));
+  close_block(out);
+}
+
 void OperationPrinter::print_whole(const OperationKernels& operation, const std::string& name,
                                    Role role, SourceWriter& out) const {
-  const Fragment& fragment = operation.fragments[0];
   open_function(name, role, out);
-  std::vector<bool> written(static_cast<std::size_t>(operation.num_outputs), false);
+  print_body(operation.fragments[0], operation.num_outputs, out);
+  close_function(out);
+}
+
+void OperationPrinter::print_body(const Fragment& fragment, int num_outputs,
+                                  SourceWriter& out) const {
+  std::vector<bool> written(static_cast<std::size_t>(num_outputs), false);
   for (const Output& each : fragment.outputs) {
-    if (each.index != Output::margin) written[each.index] = true;
+    if (each.index >= 0 && each.index < num_outputs) written[each.index] = true;
   }
   for (std::size_t k = 0; k < written.size(); ++k) {
     if (!written[k]) out.line(fmt::format("out[{}] = {};", k, zero()));
   }
   print(fragment, false, out);
-  close_function(out);
 }
 
 void OperationPrinter::print_maps(const PointLoop& loop, SourceWriter& out) const {
@@ -121,7 +147,7 @@ void OperationPrinter::print_loop(const VariantKernels& kernels, const Operation
   const std::string& name = operation.name;
   const std::string at_point = function_name(name + "_at_point");
   out.line(summary(operation, 1) + " and point");
-  print_whole(operation, at_point, Role::whole, out);
+  print_point_function(operation, at_point, out);
 
   const bool is_constants = name == "constants";
   const bool is_same_everywhere = kernels.loop->is_affine;
@@ -141,13 +167,9 @@ void OperationPrinter::print_loop(const VariantKernels& kernels, const Operation
   point.out = is_stored ? "out" : "result";
   if (is_loop) {
     point.out += fmt::format(" + {} * g", operation.num_outputs);
-    out.line(fmt::format("for (int g = 0; g < {}; ++g) {{", kernels.num_points));
-    out.indent();
-  }
-  out.line(call_with(at_point, point));
-  if (is_loop) {
-    out.outdent();
-    out.line("}");
+    print_points(operation, at_point, kernels.num_points, point, out);
+  } else {
+    out.line(call_with(at_point, point));
   }
   if (!is_stored) {
     Arrays last;

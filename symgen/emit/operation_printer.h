@@ -48,6 +48,23 @@ class OperationPrinter : public ExpressionPrinter {
   [[nodiscard]] virtual std::string array(const std::string& name, int count) const = 0;
   [[nodiscard]] virtual std::string call_with(const std::string& name,
                                               const Arrays& arrays) const = 0;
+  /// The function of an operation that is one fragment, or of one point of it.
+  virtual void print_function(const OperationKernels& operation, const std::string& name,
+                              SourceWriter& out) const;
+  virtual void print_point_function(const OperationKernels& operation, const std::string& name,
+                                    SourceWriter& out) const {
+    print_function(operation, name, out);
+  }
+  /// The loop that calls a point's function, point g with `arrays`.
+  virtual void print_points(const OperationKernels& operation, const std::string& name,
+                            int num_points, const Arrays& arrays, SourceWriter& out) const;
+  /// Assigns the outputs of a fragment; those that it does not compute are zero.
+  void print_body(const Fragment& fragment, int num_outputs, SourceWriter& out) const;
+  static void open_loop(const std::string& counter, const std::string& first,
+                        const std::string& end, SourceWriter& out);
+  static void close_block(SourceWriter& out);
+  static void close_function(SourceWriter& out);
+
   /// `count` entries of constants or state on from the beginning of "c" or "s".
   [[nodiscard]] virtual std::string stored_at(const std::string& array,
                                               const std::string& count) const = 0;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "runtime/error.h"
 #include "symgen/emit/operation_printer.h"
@@ -15,6 +16,21 @@ namespace {
 constexpr const char* kernel_parameters =
     "([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out, "
     "[[maybe_unused]] V& margin";
+
+/// Points of a loop that take their steps together: what they carry shall fit the first cache.
+constexpr int most_points_at_once = 9;
+
+/// A step's name, and whether it writes results; the others write what is carried.
+struct Step {
+  const char* name;
+  const Fragment& fragment;
+  bool is_last;
+};
+std::array<Step, 3> in_order(const Steps& steps) {
+  return {{{"arguments", steps.arguments, false},
+           {"functions", steps.functions, false},
+           {"rest", steps.rest, true}}};
+}
 
 class CppPrinter : public OperationPrinter {
  public:
@@ -60,8 +76,7 @@ class CppPrinter : public OperationPrinter {
         role == Role::fragment_with_row ? fmt::format(", const {}_row& row", name) : ""));
     out.indent();
     if (role == Role::caller) return;
-    out.line("using S [[maybe_unused]] = kernel::Scalar<V>;");
-    out.line("[[maybe_unused]] const auto& [x, p, c, u, v, s] = in;");
+    open_body(out);
   }
   std::string zero() const override { return "V{}"; }
   std::string call(const std::string& name, Role role, std::size_t count) const override {
@@ -75,11 +90,59 @@ class CppPrinter : public OperationPrinter {
     return fmt::format("V {}[{}];", name, count);
   }
   std::string call_with(const std::string& name, const Arrays& arrays) const override {
-    return fmt::format("{}<V>(kernel::Inputs<V>{{{}, p, {}, {}, {}, {}}}, {}, margin);", name,
-                       arrays.x, arrays.c, arrays.u, arrays.v, arrays.s, arrays.out);
+    return fmt::format("{}<V>({}, {}, margin);", name, inputs_of(arrays), arrays.out);
   }
   std::string stored_at(const std::string& array, const std::string& count) const override {
     return fmt::format("{} + {}", array, count);
+  }
+  void print_function(const OperationKernels& operation, const std::string& name,
+                      SourceWriter& out) const override {
+    if (!operation.steps) {
+      OperationPrinter::print_function(operation, name, out);
+      return;
+    }
+    print_steps(operation, name, out);
+    open_function(name, Role::caller, out);
+    out.line(array("w", operation.steps->num_carried));
+    for (const Step& step : in_order(*operation.steps)) {
+      out.line(fmt::format("{}_steps::{}<V>(in, w, {}, margin);", name, step.name,
+                           step.is_last ? "out" : "w"));
+    }
+    close_function(out);
+  }
+  void print_point_function(const OperationKernels& operation, const std::string& name,
+                            SourceWriter& out) const override {
+    if (operation.steps) {
+      print_steps(operation, name, out);
+    } else {
+      OperationPrinter::print_function(operation, name, out);
+    }
+  }
+  void print_points(const OperationKernels& operation, const std::string& name, int num_points,
+                    const Arrays& arrays, SourceWriter& out) const override {
+    if (!operation.steps) {
+      OperationPrinter::print_points(operation, name, num_points, arrays, out);
+      return;
+    }
+    const int num_carried = operation.steps->num_carried;
+    const int at_once = std::min(num_points, most_points_at_once);
+    const bool is_all = at_once == num_points;
+    out.line(array("w", at_once * num_carried));
+    if (!is_all) {
+      out.line(fmt::format("for (int first = 0; first < {}; first += {}) {{", num_points, at_once));
+      out.indent();
+      out.line(fmt::format("const int end = first + {0} < {1} ? first + {0} : {1};", at_once,
+                           num_points));
+    }
+    const std::string carried = is_all ? fmt::format("w + {} * g", num_carried)
+                                       : fmt::format("w + {} * (g - first)", num_carried);
+    for (const Step& step : in_order(*operation.steps)) {
+      open_loop("g", is_all ? "0" : "first", is_all ? std::to_string(num_points) : "end", out);
+      out.line(fmt::format("{}_steps::{}<V>({}, {}, {}, margin);", name, step.name,
+                           inputs_of(arrays), carried, step.is_last ? arrays.out : carried));
+      close_block(out);
+    }
+    if (!is_all) close_block(out);
   }
   std::string open_row_type(const std::string& name) const override {
     return fmt::format("struct {}_row {{", name);
@@ -89,6 +152,39 @@ class CppPrinter : public OperationPrinter {
   std::string row_number(double value) const override { return fmt::format("{:.17g}", value); }
   std::string open_rows(const std::string& name, std::size_t count) const override {
     return fmt::format("inline constexpr {0}_row {0}_rows[{1}] = {{", name, count);
+  }
+
+ private:
+  static void open_body(SourceWriter& out) {
+    out.line("using S [[maybe_unused]] = kernel::Scalar<V>;");
+    out.line("[[maybe_unused]] const auto& [x, p, c, u, v, s] = in;");
+  }
+
+  static std::string inputs_of(const Arrays& arrays) {
+    return fmt::format("kernel::Inputs<V>{{{}, p, {}, {}, {}, {}}}", arrays.x, arrays.c, arrays.u,
+                       arrays.v, arrays.s);
+  }
+
+  /// A struct of one function per step: kernel::run takes those of several batches in turn.
+  void print_steps(const OperationKernels& operation, const std::string& name,
+                   SourceWriter& out) const {
+    out.line(fmt::format("struct {}_steps {{", name));
+    out.indent();
+    out.line(fmt::format("static constexpr int num_carried = {};", operation.steps->num_carried));
+    for (const Step& step : in_order(*operation.steps)) {
+      out.line("template <class V>");
+      out.line(fmt::format(
+          "static void {}([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] const V* "
+          "w, [[maybe_unused]] V* out, [[maybe_unused]] V& margin) {{",
+          step.name));
+      out.indent();
+      open_body(out);
+      print_body(step.fragment, step.is_last ? operation.num_outputs : 0, out);
+      close_block(out);
+    }
+    out.outdent();
+    out.line("};");
+    out.line();
   }
 };
 
@@ -115,6 +211,11 @@ void print_stiffness(const VariantKernels& kernels, SourceWriter& out) {
   out.line("}");
   out.outdent();
   out.line("}");
+  out.line();
+}
+
+void print_no_steps(const std::string& operation, SourceWriter& out) {
+  out.line(fmt::format("using {}_steps = kernel::NoSteps;", operation));
   out.line();
 }
 
@@ -152,6 +253,12 @@ std::string print_cpp_header(const AssociationId& id, const Provenance& provenan
         fmt::format("inline constexpr int num_constants = {};", kernels.num_stored_constants()));
     out.line(fmt::format("inline constexpr int num_state = {};", kernels.num_stored_state()));
     out.line(fmt::format("inline constexpr bool reads_positions = {};", kernels.reads_positions));
+    out.line(fmt::format("inline constexpr int batches_at_once = {};",
+                         kernels.loop ? "1" : "most_batches_at_once"));
+    out.line(fmt::format("inline constexpr KernelCosts costs = {{{}, {}, {}}};",
+                         kernels.operations_of("product").time(),
+                         kernels.operations_of("linearize").time(),
+                         kernels.operations_of("apply").time()));
     out.line();
     const CppPrinter printer(kernels.dag.numbers());
     if (kernels.loop) printer.print_maps(*kernels.loop, out);
@@ -159,10 +266,12 @@ std::string print_cpp_header(const AssociationId& id, const Provenance& provenan
       const std::size_t before = out.size();
       printer.print_operation(kernels, operation, out);
       set_code_bytes(reports[k], operation.name, out.size() - before);
+      if (kernels.loop || !operation.steps) print_no_steps(operation.name, out);
     }
     const std::size_t before = out.size();
     print_stiffness(kernels, out);
     set_code_bytes(reports[k], "stiffness", out.size() - before);
+    print_no_steps("stiffness", out);
     out.line(fmt::format("}}  // namespace {}", geometry));
     out.line();
   }
@@ -217,7 +326,7 @@ std::string print_cpp_registration(const AssociationId& id,
   for (const std::string& geometry : geometries) {
     variants += fmt::format(
         "{{\"{0}\", kernels::{0}::num_constants, kernels::{0}::num_state, "
-        "kernels::{0}::reads_positions",
+        "kernels::{0}::reads_positions, kernels::{0}::batches_at_once, kernels::{0}::costs",
         geometry);
     for (const Entry& entry : entries) {
       if (!is_wanted(entry)) {
@@ -226,12 +335,14 @@ std::string print_cpp_registration(const AssociationId& id,
       }
       variants += fmt::format(", {}_{}", geometry, entry.name);
       const std::string num_outputs = fmt::format(fmt::runtime(entry.num_outputs), geometry);
-      out.line(fmt::format("void {}_{}(const Arguments& arguments) {{", geometry, entry.name));
+      out.line(
+          fmt::format("void {}_{}(const Arguments* batches, int count) {{", geometry, entry.name));
       out.indent();
-      out.line(fmt::format("elastogen::kernel::run<V, {}>(", num_outputs));
+      out.line(fmt::format("elastogen::kernel::run<V, {}, kernels::{}::{}_steps>(", num_outputs,
+                           geometry, entry.name));
       out.indent();
       out.indent();
-      out.line("arguments, [](const auto& in, V* out, V& margin) {");
+      out.line("batches, count, [](const auto& in, V* out, V& margin) {");
       out.indent();
       out.line(fmt::format("kernels::{}::{}<V>(in, out, margin);", geometry, entry.name));
       out.outdent();

@@ -19,6 +19,9 @@ struct OperationCount {
            20.0 * static_cast<double>(functions);
   }
   OperationCount& operator+=(const OperationCount& other);
+  [[nodiscard]] OperationCount times(long count) const {
+    return {count * additions, count * multiplications, count * divisions, count * functions};
+  }
 };
 
 [[nodiscard]] OperationCount cost_of(const Dag& dag, NodeId id);

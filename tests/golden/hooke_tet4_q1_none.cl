@@ -12,13 +12,13 @@
 // hash         HASH
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
-// general  constants              51         10      0          96       80          1
+// general  constants              52         10      0          96       80          1
 // general  geometry               31          0      0          96       72          1
 // general  energy                 78         10      0         176        8          1
-// general  forces                137         10      0         176       96          1
-// general  product               137         10      0         176       96          1
+// general  forces                125         10      0         176       96          1
+// general  product               125         10      0         176       96          1
 // general  linearize               0          0      0           0        0          1
-// general  apply                 137         10      0         176       96          1
+// general  apply                 125         10      0         176       96          1
 //
 // One work item per element e. Arguments of the kernels and index formulas of their arrays:
 // opencl/prelude.cl. In functions, of one element: rest positions x, displacement u and
@@ -28,7 +28,7 @@
 // ---- general: dim = 3, num_nodes = 4, num_points = 1, num_constants = 10, num_state = 0,
 //                reads_positions = false
 
-/// constants: 51 flops per element
+/// constants: 52 flops per element
 static void general_constants(const real *x, __constant real *p, __global const real *c, const real
     *u, const real *v, __global const real *s, const size_t n, real *out, real *margin) {
   const real t0 = x[2] - x[11];
@@ -60,7 +60,7 @@ static void general_constants(const real *x, __constant real *p, __global const 
   const real t45 = t22 * t44;
   const real t48 = t9 * t12 - t1 * t7;
   const real t49 = t22 * t48;
-  out[0] = t21;
+  out[0] = R(0.16666666666666666) * t21;
   out[1] = t23;
   out[2] = t24;
   out[3] = t25;
@@ -152,7 +152,7 @@ static void general_energy(const real *x, __constant real *p, __global const rea
   const real t57 = t32 * t32 + t43 * t43 + t53 * t53 + R(2.0) * (t21 * t21 + t14 * t14 + t7 * t7);
   const real t58 = p[1] * c[0 * n];
   const real t60 = t0 * t22 * t22 + t57 * t58;
-  out[0] = R(0.083333333333333329) * t60;
+  out[0] = R(0.5) * t60;
 }
 
 __kernel void hooke_tet4_q1_none_general_energy(ELASTOGEN_ELEMENT_ARGUMENTS) {
@@ -167,7 +167,7 @@ __kernel void hooke_tet4_q1_none_general_energy(ELASTOGEN_ELEMENT_ARGUMENTS) {
   report_status(margin, 1, out, e, status);
 }
 
-/// forces: 137 flops per element
+/// forces: 125 flops per element
 static void general_forces(const real *x, __constant real *p, __global const real *c, const real *u,
     const real *v, __global const real *s, const size_t n, real *out, real *margin) {
   const real t0 = u[0] - u[3];
@@ -213,18 +213,18 @@ static void general_forces(const real *x, __constant real *p, __global const rea
   const real t94 = c[5 * n] * t69 + c[2 * n] * t16 + c[8 * n] * t88;
   const real t98 = c[4 * n] * t69 + c[1 * n] * t16 + c[7 * n] * t88;
   const real t99 = t90 + t94 + t98;
-  out[0] = -R(0.16666666666666666) * t59;
-  out[1] = -R(0.16666666666666666) * t84;
-  out[2] = -R(0.16666666666666666) * t99;
-  out[3] = R(0.16666666666666666) * t58;
-  out[4] = R(0.16666666666666666) * t83;
-  out[5] = R(0.16666666666666666) * t98;
-  out[6] = R(0.16666666666666666) * t54;
-  out[7] = R(0.16666666666666666) * t79;
-  out[8] = R(0.16666666666666666) * t94;
-  out[9] = R(0.16666666666666666) * t50;
-  out[10] = R(0.16666666666666666) * t75;
-  out[11] = R(0.16666666666666666) * t90;
+  out[0] = -t59;
+  out[1] = -t84;
+  out[2] = -t99;
+  out[3] = t58;
+  out[4] = t83;
+  out[5] = t98;
+  out[6] = t54;
+  out[7] = t79;
+  out[8] = t94;
+  out[9] = t50;
+  out[10] = t75;
+  out[11] = t90;
 }
 
 __kernel void hooke_tet4_q1_none_general_forces(ELASTOGEN_ELEMENT_ARGUMENTS) {
@@ -239,7 +239,7 @@ __kernel void hooke_tet4_q1_none_general_forces(ELASTOGEN_ELEMENT_ARGUMENTS) {
   report_status(margin, 12, out, e, status);
 }
 
-/// product: 137 flops per element
+/// product: 125 flops per element
 static void general_product(const real *x, __constant real *p, __global const real *c, const real
     *u, const real *v, __global const real *s, const size_t n, real *out, real *margin) {
   const real t0 = v[1] - v[4];
@@ -285,18 +285,18 @@ static void general_product(const real *x, __constant real *p, __global const re
   const real t94 = c[8 * n] * t86 + c[5 * n] * t69 + c[2 * n] * t30;
   const real t98 = c[7 * n] * t86 + c[4 * n] * t69 + c[1 * n] * t30;
   const real t99 = t90 + t94 + t98;
-  out[0] = -R(0.16666666666666666) * t59;
-  out[1] = -R(0.16666666666666666) * t84;
-  out[2] = -R(0.16666666666666666) * t99;
-  out[3] = R(0.16666666666666666) * t58;
-  out[4] = R(0.16666666666666666) * t83;
-  out[5] = R(0.16666666666666666) * t98;
-  out[6] = R(0.16666666666666666) * t54;
-  out[7] = R(0.16666666666666666) * t79;
-  out[8] = R(0.16666666666666666) * t94;
-  out[9] = R(0.16666666666666666) * t50;
-  out[10] = R(0.16666666666666666) * t75;
-  out[11] = R(0.16666666666666666) * t90;
+  out[0] = -t59;
+  out[1] = -t84;
+  out[2] = -t99;
+  out[3] = t58;
+  out[4] = t83;
+  out[5] = t98;
+  out[6] = t54;
+  out[7] = t79;
+  out[8] = t94;
+  out[9] = t50;
+  out[10] = t75;
+  out[11] = t90;
 }
 
 __kernel void hooke_tet4_q1_none_general_product(ELASTOGEN_ELEMENT_ARGUMENTS) {
@@ -330,7 +330,7 @@ __kernel void hooke_tet4_q1_none_general_linearize(ELASTOGEN_ELEMENT_ARGUMENTS) 
   report_status(margin, 0, out, e, status);
 }
 
-/// apply: 137 flops per element
+/// apply: 125 flops per element
 static void general_apply(const real *x, __constant real *p, __global const real *c, const real *u,
     const real *v, __global const real *s, const size_t n, real *out, real *margin) {
   const real t0 = v[1] - v[4];
@@ -376,18 +376,18 @@ static void general_apply(const real *x, __constant real *p, __global const real
   const real t94 = c[8 * n] * t86 + c[5 * n] * t69 + c[2 * n] * t30;
   const real t98 = c[7 * n] * t86 + c[4 * n] * t69 + c[1 * n] * t30;
   const real t99 = t90 + t94 + t98;
-  out[0] = -R(0.16666666666666666) * t59;
-  out[1] = -R(0.16666666666666666) * t84;
-  out[2] = -R(0.16666666666666666) * t99;
-  out[3] = R(0.16666666666666666) * t58;
-  out[4] = R(0.16666666666666666) * t83;
-  out[5] = R(0.16666666666666666) * t98;
-  out[6] = R(0.16666666666666666) * t54;
-  out[7] = R(0.16666666666666666) * t79;
-  out[8] = R(0.16666666666666666) * t94;
-  out[9] = R(0.16666666666666666) * t50;
-  out[10] = R(0.16666666666666666) * t75;
-  out[11] = R(0.16666666666666666) * t90;
+  out[0] = -t59;
+  out[1] = -t84;
+  out[2] = -t99;
+  out[3] = t58;
+  out[4] = t83;
+  out[5] = t98;
+  out[6] = t54;
+  out[7] = t79;
+  out[8] = t94;
+  out[9] = t50;
+  out[10] = t75;
+  out[11] = t90;
 }
 
 __kernel void hooke_tet4_q1_none_general_apply(ELASTOGEN_ELEMENT_ARGUMENTS) {

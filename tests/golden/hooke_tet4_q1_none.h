@@ -12,14 +12,14 @@
 // hash         HASH
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
-// general  constants              51         10      0          96       80          1
+// general  constants              52         10      0          96       80          1
 // general  geometry               31          0      0          96       72          1
 // general  energy                 78         10      0         176        8          1
-// general  forces                137         10      0         176       96          1
-// general  product               137         10      0         176       96          1
+// general  forces                125         10      0         176       96          1
+// general  product               125         10      0         176       96          1
 // general  linearize               0          0      0           0        0          1
-// general  apply                 137         10      0         176       96          1
-// general  stiffness            1644          0      0           0     1152          1
+// general  apply                 125         10      0         176       96          1
+// general  stiffness            1500          0      0           0     1152          1
 #pragma once
 
 #include "runtime/kernel_support.h"
@@ -36,8 +36,10 @@ namespace general {
 inline constexpr int num_constants = 10;
 inline constexpr int num_state = 0;
 inline constexpr bool reads_positions = false;
+inline constexpr int batches_at_once = most_batches_at_once;
+inline constexpr KernelCosts costs = {125, 0, 125};
 
-/// constants: 51 flops per element
+/// constants: 52 flops per element
 template <class V>
 inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -72,7 +74,7 @@ inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   const V t45 = t22 * t44;
   const V t48 = t9 * t12 - t1 * t7;
   const V t49 = t22 * t48;
-  out[0] = t21;
+  out[0] = S(0.16666666666666666) * t21;
   out[1] = t23;
   out[2] = t24;
   out[3] = t25;
@@ -83,6 +85,8 @@ inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   out[8] = t45;
   out[9] = t49;
 }
+
+using constants_steps = kernel::NoSteps;
 
 /// geometry: 31 flops per element
 template <class V>
@@ -113,6 +117,8 @@ inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unuse
   out[7] = S(0.041666666666666664) * t21;
   out[8] = t21;
 }
+
+using geometry_steps = kernel::NoSteps;
 
 /// energy: 78 flops per element
 template <class V>
@@ -146,10 +152,12 @@ inline void energy([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]
   const V t57 = t32 * t32 + t43 * t43 + t53 * t53 + S(2) * (t21 * t21 + t14 * t14 + t7 * t7);
   const V t58 = p[1] * c[0];
   const V t60 = t0 * t22 * t22 + t57 * t58;
-  out[0] = S(0.083333333333333329) * t60;
+  out[0] = S(0.5) * t60;
 }
 
-/// forces: 137 flops per element
+using energy_steps = kernel::NoSteps;
+
+/// forces: 125 flops per element
 template <class V>
 inline void forces([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -198,21 +206,23 @@ inline void forces([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]
   const V t94 = c[5] * t69 + c[2] * t16 + c[8] * t88;
   const V t98 = c[4] * t69 + c[1] * t16 + c[7] * t88;
   const V t99 = t90 + t94 + t98;
-  out[0] = -S(0.16666666666666666) * t59;
-  out[1] = -S(0.16666666666666666) * t84;
-  out[2] = -S(0.16666666666666666) * t99;
-  out[3] = S(0.16666666666666666) * t58;
-  out[4] = S(0.16666666666666666) * t83;
-  out[5] = S(0.16666666666666666) * t98;
-  out[6] = S(0.16666666666666666) * t54;
-  out[7] = S(0.16666666666666666) * t79;
-  out[8] = S(0.16666666666666666) * t94;
-  out[9] = S(0.16666666666666666) * t50;
-  out[10] = S(0.16666666666666666) * t75;
-  out[11] = S(0.16666666666666666) * t90;
+  out[0] = -t59;
+  out[1] = -t84;
+  out[2] = -t99;
+  out[3] = t58;
+  out[4] = t83;
+  out[5] = t98;
+  out[6] = t54;
+  out[7] = t79;
+  out[8] = t94;
+  out[9] = t50;
+  out[10] = t75;
+  out[11] = t90;
 }
 
-/// product: 137 flops per element
+using forces_steps = kernel::NoSteps;
+
+/// product: 125 flops per element
 template <class V>
 inline void product([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -261,19 +271,21 @@ inline void product([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused
   const V t94 = c[8] * t86 + c[5] * t69 + c[2] * t30;
   const V t98 = c[7] * t86 + c[4] * t69 + c[1] * t30;
   const V t99 = t90 + t94 + t98;
-  out[0] = -S(0.16666666666666666) * t59;
-  out[1] = -S(0.16666666666666666) * t84;
-  out[2] = -S(0.16666666666666666) * t99;
-  out[3] = S(0.16666666666666666) * t58;
-  out[4] = S(0.16666666666666666) * t83;
-  out[5] = S(0.16666666666666666) * t98;
-  out[6] = S(0.16666666666666666) * t54;
-  out[7] = S(0.16666666666666666) * t79;
-  out[8] = S(0.16666666666666666) * t94;
-  out[9] = S(0.16666666666666666) * t50;
-  out[10] = S(0.16666666666666666) * t75;
-  out[11] = S(0.16666666666666666) * t90;
+  out[0] = -t59;
+  out[1] = -t84;
+  out[2] = -t99;
+  out[3] = t58;
+  out[4] = t83;
+  out[5] = t98;
+  out[6] = t54;
+  out[7] = t79;
+  out[8] = t94;
+  out[9] = t50;
+  out[10] = t75;
+  out[11] = t90;
 }
+
+using product_steps = kernel::NoSteps;
 
 /// linearize: 0 flops per element
 template <class V>
@@ -283,7 +295,9 @@ inline void linearize([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
 }
 
-/// apply: 137 flops per element
+using linearize_steps = kernel::NoSteps;
+
+/// apply: 125 flops per element
 template <class V>
 inline void apply([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -332,19 +346,21 @@ inline void apply([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]]
   const V t94 = c[8] * t86 + c[5] * t69 + c[2] * t30;
   const V t98 = c[7] * t86 + c[4] * t69 + c[1] * t30;
   const V t99 = t90 + t94 + t98;
-  out[0] = -S(0.16666666666666666) * t59;
-  out[1] = -S(0.16666666666666666) * t84;
-  out[2] = -S(0.16666666666666666) * t99;
-  out[3] = S(0.16666666666666666) * t58;
-  out[4] = S(0.16666666666666666) * t83;
-  out[5] = S(0.16666666666666666) * t98;
-  out[6] = S(0.16666666666666666) * t54;
-  out[7] = S(0.16666666666666666) * t79;
-  out[8] = S(0.16666666666666666) * t94;
-  out[9] = S(0.16666666666666666) * t50;
-  out[10] = S(0.16666666666666666) * t75;
-  out[11] = S(0.16666666666666666) * t90;
+  out[0] = -t59;
+  out[1] = -t84;
+  out[2] = -t99;
+  out[3] = t58;
+  out[4] = t83;
+  out[5] = t98;
+  out[6] = t54;
+  out[7] = t79;
+  out[8] = t94;
+  out[9] = t50;
+  out[10] = t75;
+  out[11] = t90;
 }
+
+using apply_steps = kernel::NoSteps;
 
 /// stiffness: linearize once, apply along every unit direction; K = -product
 template <class V>
@@ -362,6 +378,8 @@ inline void stiffness([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
     for (int i = 0; i < 12; ++i) out[i * 12 + j] = -column[i];
   }
 }
+
+using stiffness_steps = kernel::NoSteps;
 
 }  // namespace general
 

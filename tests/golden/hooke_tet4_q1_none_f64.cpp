@@ -9,41 +9,43 @@ using V = elastogen::kernel::DoublePack;
 using Arguments = elastogen::KernelArguments<S>;
 [[maybe_unused]] constexpr int num_dofs = kernels::num_nodes * kernels::dim;
 
-void general_constants(const Arguments& arguments) {
-  elastogen::kernel::run<V, kernels::general::num_constants>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void general_constants(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, kernels::general::num_constants, kernels::general::constants_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::general::constants<V>(in, out, margin);
       });
 }
-void general_geometry(const Arguments& arguments) {
-  elastogen::kernel::run<V, 2 * kernels::num_nodes + kernels::num_points>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void general_geometry(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, 2 * kernels::num_nodes + kernels::num_points,
+      kernels::general::geometry_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::general::geometry<V>(in, out, margin);
       });
 }
-void general_energy(const Arguments& arguments) {
-  elastogen::kernel::run<V, 1>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void general_energy(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, 1, kernels::general::energy_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::general::energy<V>(in, out, margin);
       });
 }
-void general_forces(const Arguments& arguments) {
-  elastogen::kernel::run<V, num_dofs>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void general_forces(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, num_dofs, kernels::general::forces_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::general::forces<V>(in, out, margin);
       });
 }
-void general_product(const Arguments& arguments) {
-  elastogen::kernel::run<V, num_dofs>(
-      arguments, [](const auto& in, V* out, V& margin) {
+void general_product(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, num_dofs, kernels::general::product_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
         kernels::general::product<V>(in, out, margin);
       });
 }
 
 constexpr const char* parameter_names[] = {"lambda", "mu", nullptr};
 constexpr elastogen::VariantTable<S> variants[] = {{"general", kernels::general::num_constants,
-    kernels::general::num_state, kernels::general::reads_positions, general_constants,
-    general_geometry, general_energy, general_forces, general_product, nullptr, nullptr, nullptr}};
+    kernels::general::num_state, kernels::general::reads_positions,
+    kernels::general::batches_at_once, kernels::general::costs, general_constants, general_geometry,
+    general_energy, general_forces, general_product, nullptr, nullptr, nullptr}};
 constexpr elastogen::KernelTable<S> table = {elastogen::kernel_abi_version,
     elastogen::kernel::lanes_of<V>, "hooke-tet4-q1-none", "tet4", kernels::hash,
     elastogen::kernel::instruction_set, kernels::dim, kernels::num_nodes, kernels::num_points, 2,

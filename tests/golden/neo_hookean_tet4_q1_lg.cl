@@ -13,13 +13,13 @@
 // hash         HASH
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
-// general  constants              51         10      0          96       80          1
+// general  constants              52         10      0          96       80          1
 // general  geometry               31          0      0          96       72          1
 // general  energy                233         10      0         176        8          2
-// general  forces                393         10      0         176       96          2
-// general  product               786         10      0         272       96          2
+// general  forces                379         10      0         176       96          2
+// general  product               772         10      0         272       96          2
 // general  linearize             185          9     18         168      144          2
-// general  apply                 625         10     18         320       96          2
+// general  apply                 611         10     18         320       96          2
 //
 // One work item per element e. Arguments of the kernels and index formulas of their arrays:
 // opencl/prelude.cl. In functions, of one element: rest positions x, displacement u and
@@ -29,7 +29,7 @@
 // ---- general: dim = 3, num_nodes = 4, num_points = 1, num_constants = 10, num_state = 18,
 //                reads_positions = false
 
-/// constants: 51 flops per element
+/// constants: 52 flops per element
 static void general_constants(const real *x, __constant real *p, __global const real *c, const real
     *u, const real *v, __global const real *s, const size_t n, real *out, real *margin) {
   const real t0 = x[2] - x[11];
@@ -61,7 +61,7 @@ static void general_constants(const real *x, __constant real *p, __global const 
   const real t45 = t22 * t44;
   const real t48 = t9 * t12 - t1 * t7;
   const real t49 = t22 * t48;
-  out[0] = t21;
+  out[0] = R(0.16666666666666666) * t21;
   out[1] = t23;
   out[2] = t24;
   out[3] = t25;
@@ -183,7 +183,7 @@ static void general_energy_0(const real *x, __constant real *p, __global const r
   const real t122 = log1p_remainder(t106);
   const real t123 = t121 + R(0.5) * t122;
   const real t124 = t0 * t123;
-  out[0] += R(0.33333333333333331) * t124;
+  out[0] += R(2.0) * t124;
   keep_smaller(margin, t107);
 }
 
@@ -221,7 +221,7 @@ static void general_energy_1(const real *x, __constant real *p, __global const r
   const real t65 = log1p(t64);
   const real t66 = t0 * t65 * t65;
   const real t67 = t64 + R(1.0);
-  out[0] += R(0.083333333333333329) * t66;
+  out[0] += R(0.5) * t66;
   keep_smaller(margin, t67);
 }
 
@@ -319,18 +319,18 @@ static void general_forces_0(const real *x, __constant real *p, __global const r
   const real t150 = c[2 * n] * t130 + c[8 * n] * t137 + c[5 * n] * t144;
   const real t154 = c[1 * n] * t130 + c[7 * n] * t137 + c[4 * n] * t144;
   const real t155 = t146 + t150 + t154;
-  out[0] -= R(0.16666666666666666) * t90;
-  out[1] -= R(0.16666666666666666) * t123;
-  out[2] -= R(0.16666666666666666) * t155;
-  out[3] += R(0.16666666666666666) * t89;
-  out[4] += R(0.16666666666666666) * t122;
-  out[5] += R(0.16666666666666666) * t154;
-  out[6] += R(0.16666666666666666) * t85;
-  out[7] += R(0.16666666666666666) * t118;
-  out[8] += R(0.16666666666666666) * t150;
-  out[9] += R(0.16666666666666666) * t81;
-  out[10] += R(0.16666666666666666) * t114;
-  out[11] += R(0.16666666666666666) * t146;
+  out[0] -= t90;
+  out[1] -= t123;
+  out[2] -= t155;
+  out[3] += t89;
+  out[4] += t122;
+  out[5] += t154;
+  out[6] += t85;
+  out[7] += t118;
+  out[8] += t150;
+  out[9] += t81;
+  out[10] += t114;
+  out[11] += t146;
   keep_smaller(margin, t64);
 }
 
@@ -404,22 +404,22 @@ static void general_forces_1(const real *x, __constant real *p, __global const r
   const real t144 = c[2 * n] * t128 + c[8 * n] * t133 - c[5 * n] * t138;
   const real t148 = c[1 * n] * t128 + c[7 * n] * t133 - c[4 * n] * t138;
   const real t149 = t140 + t144 + t148;
-  out[0] += R(0.16666666666666666) * t94;
-  out[1] += R(0.16666666666666666) * t124;
-  out[2] -= R(0.16666666666666666) * t149;
-  out[3] -= R(0.16666666666666666) * t93;
-  out[4] -= R(0.16666666666666666) * t123;
-  out[5] += R(0.16666666666666666) * t148;
-  out[6] -= R(0.16666666666666666) * t89;
-  out[7] -= R(0.16666666666666666) * t119;
-  out[8] += R(0.16666666666666666) * t144;
-  out[9] -= R(0.16666666666666666) * t85;
-  out[10] -= R(0.16666666666666666) * t115;
-  out[11] += R(0.16666666666666666) * t140;
+  out[0] += t94;
+  out[1] += t124;
+  out[2] -= t149;
+  out[3] -= t93;
+  out[4] -= t123;
+  out[5] += t148;
+  out[6] -= t89;
+  out[7] -= t119;
+  out[8] += t144;
+  out[9] -= t85;
+  out[10] -= t115;
+  out[11] += t140;
   keep_smaller(margin, t66);
 }
 
-/// forces: 393 flops per element, 2 fragments, 2 of them different
+/// forces: 379 flops per element, 2 fragments, 2 of them different
 static void general_forces(const real *x, __constant real *p, __global const real *c, const real *u,
     const real *v, __global const real *s, const size_t n, real *out, real *margin) {
   for (int k = 0; k < 12; ++k) out[k] = 0;
@@ -587,18 +587,18 @@ static void general_product_0(const real *x, __constant real *p, __global const 
   const real t304 = c[2 * n] * t264 + c[5 * n] * t281 + c[8 * n] * t298;
   const real t308 = c[1 * n] * t264 + c[4 * n] * t281 + c[7 * n] * t298;
   const real t309 = t300 + t304 + t308;
-  out[0] -= R(0.16666666666666666) * t184;
-  out[1] -= R(0.16666666666666666) * t247;
-  out[2] -= R(0.16666666666666666) * t309;
-  out[3] += R(0.16666666666666666) * t183;
-  out[4] += R(0.16666666666666666) * t246;
-  out[5] += R(0.16666666666666666) * t308;
-  out[6] += R(0.16666666666666666) * t179;
-  out[7] += R(0.16666666666666666) * t242;
-  out[8] += R(0.16666666666666666) * t304;
-  out[9] += R(0.16666666666666666) * t175;
-  out[10] += R(0.16666666666666666) * t238;
-  out[11] += R(0.16666666666666666) * t300;
+  out[0] -= t184;
+  out[1] -= t247;
+  out[2] -= t309;
+  out[3] += t183;
+  out[4] += t246;
+  out[5] += t308;
+  out[6] += t179;
+  out[7] += t242;
+  out[8] += t304;
+  out[9] += t175;
+  out[10] += t238;
+  out[11] += t300;
   keep_smaller(margin, t95);
 }
 
@@ -777,22 +777,22 @@ static void general_product_1(const real *x, __constant real *p, __global const 
   const real t354 = c[2 * n] * t316 - c[5 * n] * t332 + c[8 * n] * t348;
   const real t358 = c[1 * n] * t316 - c[4 * n] * t332 + c[7 * n] * t348;
   const real t359 = t350 + t354 + t358;
-  out[0] += R(0.16666666666666666) * t222;
-  out[1] += R(0.16666666666666666) * t296;
-  out[2] -= R(0.16666666666666666) * t359;
-  out[3] -= R(0.16666666666666666) * t221;
-  out[4] -= R(0.16666666666666666) * t295;
-  out[5] += R(0.16666666666666666) * t358;
-  out[6] -= R(0.16666666666666666) * t217;
-  out[7] -= R(0.16666666666666666) * t291;
-  out[8] += R(0.16666666666666666) * t354;
-  out[9] -= R(0.16666666666666666) * t213;
-  out[10] -= R(0.16666666666666666) * t287;
-  out[11] += R(0.16666666666666666) * t350;
+  out[0] += t222;
+  out[1] += t296;
+  out[2] -= t359;
+  out[3] -= t221;
+  out[4] -= t295;
+  out[5] += t358;
+  out[6] -= t217;
+  out[7] -= t291;
+  out[8] += t354;
+  out[9] -= t213;
+  out[10] -= t287;
+  out[11] += t350;
   keep_smaller(margin, t147);
 }
 
-/// product: 786 flops per element, 2 fragments, 2 of them different
+/// product: 772 flops per element, 2 fragments, 2 of them different
 static void general_product(const real *x, __constant real *p, __global const real *c, const real
     *u, const real *v, __global const real *s, const size_t n, real *out, real *margin) {
   for (int k = 0; k < 12; ++k) out[k] = 0;
@@ -1053,18 +1053,18 @@ static void general_apply_0(const real *x, __constant real *p, __global const re
   const real t234 = c[2 * n] * t198 + c[5 * n] * t215 + c[8 * n] * t228;
   const real t238 = c[1 * n] * t198 + c[4 * n] * t215 + c[7 * n] * t228;
   const real t239 = t230 + t234 + t238;
-  out[0] -= R(0.16666666666666666) * t122;
-  out[1] -= R(0.16666666666666666) * t181;
-  out[2] -= R(0.16666666666666666) * t239;
-  out[3] += R(0.16666666666666666) * t121;
-  out[4] += R(0.16666666666666666) * t180;
-  out[5] += R(0.16666666666666666) * t238;
-  out[6] += R(0.16666666666666666) * t117;
-  out[7] += R(0.16666666666666666) * t176;
-  out[8] += R(0.16666666666666666) * t234;
-  out[9] += R(0.16666666666666666) * t113;
-  out[10] += R(0.16666666666666666) * t172;
-  out[11] += R(0.16666666666666666) * t230;
+  out[0] -= t122;
+  out[1] -= t181;
+  out[2] -= t239;
+  out[3] += t121;
+  out[4] += t180;
+  out[5] += t238;
+  out[6] += t117;
+  out[7] += t176;
+  out[8] += t234;
+  out[9] += t113;
+  out[10] += t172;
+  out[11] += t230;
 }
 
 static void general_apply_1(const real *x, __constant real *p, __global const real *c, const real
@@ -1212,21 +1212,21 @@ static void general_apply_1(const real *x, __constant real *p, __global const re
   const real t290 = -c[5 * n] * t251 + c[2 * n] * t272 + c[8 * n] * t284;
   const real t294 = -c[4 * n] * t251 + c[1 * n] * t272 + c[7 * n] * t284;
   const real t295 = t286 + t290 + t294;
-  out[0] += R(0.16666666666666666) * t166;
-  out[1] += R(0.16666666666666666) * t236;
-  out[2] -= R(0.16666666666666666) * t295;
-  out[3] -= R(0.16666666666666666) * t165;
-  out[4] -= R(0.16666666666666666) * t235;
-  out[5] += R(0.16666666666666666) * t294;
-  out[6] -= R(0.16666666666666666) * t161;
-  out[7] -= R(0.16666666666666666) * t231;
-  out[8] += R(0.16666666666666666) * t290;
-  out[9] -= R(0.16666666666666666) * t157;
-  out[10] -= R(0.16666666666666666) * t227;
-  out[11] += R(0.16666666666666666) * t286;
+  out[0] += t166;
+  out[1] += t236;
+  out[2] -= t295;
+  out[3] -= t165;
+  out[4] -= t235;
+  out[5] += t294;
+  out[6] -= t161;
+  out[7] -= t231;
+  out[8] += t290;
+  out[9] -= t157;
+  out[10] -= t227;
+  out[11] += t286;
 }
 
-/// apply: 625 flops per element, 2 fragments, 2 of them different
+/// apply: 611 flops per element, 2 fragments, 2 of them different
 static void general_apply(const real *x, __constant real *p, __global const real *c, const real *u,
     const real *v, __global const real *s, const size_t n, real *out, real *margin) {
   for (int k = 0; k < 12; ++k) out[k] = 0;

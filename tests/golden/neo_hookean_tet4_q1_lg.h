@@ -13,14 +13,14 @@
 // hash         HASH
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
-// general  constants              51         10      0          96       80          1
+// general  constants              52         10      0          96       80          1
 // general  geometry               31          0      0          96       72          1
 // general  energy                233         10      0         176        8          2
-// general  forces                393         10      0         176       96          2
-// general  product               786         10      0         272       96          2
+// general  forces                379         10      0         176       96          2
+// general  product               772         10      0         272       96          2
 // general  linearize             185          9     18         168      144          2
-// general  apply                 625         10     18         320       96          2
-// general  stiffness            7685          9     18         168     1152          2
+// general  apply                 611         10     18         320       96          2
+// general  stiffness            7517          9     18         168     1152          2
 #pragma once
 
 #include "runtime/kernel_support.h"
@@ -37,8 +37,10 @@ namespace general {
 inline constexpr int num_constants = 10;
 inline constexpr int num_state = 18;
 inline constexpr bool reads_positions = false;
+inline constexpr int batches_at_once = most_batches_at_once;
+inline constexpr KernelCosts costs = {805, 218, 611};
 
-/// constants: 51 flops per element
+/// constants: 52 flops per element
 template <class V>
 inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -73,7 +75,7 @@ inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   const V t45 = t22 * t44;
   const V t48 = t9 * t12 - t1 * t7;
   const V t49 = t22 * t48;
-  out[0] = t21;
+  out[0] = S(0.16666666666666666) * t21;
   out[1] = t23;
   out[2] = t24;
   out[3] = t25;
@@ -84,6 +86,8 @@ inline void constants([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   out[8] = t45;
   out[9] = t49;
 }
+
+using constants_steps = kernel::NoSteps;
 
 /// geometry: 31 flops per element
 template <class V>
@@ -114,6 +118,8 @@ inline void geometry([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unuse
   out[7] = S(0.041666666666666664) * t21;
   out[8] = t21;
 }
+
+using geometry_steps = kernel::NoSteps;
 
 template <class V>
 [[gnu::noinline]] void energy_0([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V*
@@ -177,7 +183,7 @@ template <class V>
   const V t122 = kernel::log1p_remainder(t106);
   const V t123 = t121 + S(0.5) * t122;
   const V t124 = t0 * t123;
-  out[0] += S(0.33333333333333331) * t124;
+  out[0] += S(2) * t124;
   kernel::keep_smaller<V>(margin, t107);
 }
 
@@ -218,7 +224,7 @@ template <class V>
   const V t65 = kernel::log1p(t64);
   const V t66 = t0 * t65 * t65;
   const V t67 = t64 + S(1);
-  out[0] += S(0.083333333333333329) * t66;
+  out[0] += S(0.5) * t66;
   kernel::keep_smaller<V>(margin, t67);
 }
 
@@ -230,6 +236,8 @@ inline void energy([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]
   energy_0<V>(in, out, margin);
   energy_1<V>(in, out, margin);
 }
+
+using energy_steps = kernel::NoSteps;
 
 template <class V>
 [[gnu::noinline]] void forces_0([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V*
@@ -308,18 +316,18 @@ template <class V>
   const V t150 = c[2] * t130 + c[8] * t137 + c[5] * t144;
   const V t154 = c[1] * t130 + c[7] * t137 + c[4] * t144;
   const V t155 = t146 + t150 + t154;
-  out[0] -= S(0.16666666666666666) * t90;
-  out[1] -= S(0.16666666666666666) * t123;
-  out[2] -= S(0.16666666666666666) * t155;
-  out[3] += S(0.16666666666666666) * t89;
-  out[4] += S(0.16666666666666666) * t122;
-  out[5] += S(0.16666666666666666) * t154;
-  out[6] += S(0.16666666666666666) * t85;
-  out[7] += S(0.16666666666666666) * t118;
-  out[8] += S(0.16666666666666666) * t150;
-  out[9] += S(0.16666666666666666) * t81;
-  out[10] += S(0.16666666666666666) * t114;
-  out[11] += S(0.16666666666666666) * t146;
+  out[0] -= t90;
+  out[1] -= t123;
+  out[2] -= t155;
+  out[3] += t89;
+  out[4] += t122;
+  out[5] += t154;
+  out[6] += t85;
+  out[7] += t118;
+  out[8] += t150;
+  out[9] += t81;
+  out[10] += t114;
+  out[11] += t146;
   kernel::keep_smaller<V>(margin, t64);
 }
 
@@ -396,22 +404,22 @@ template <class V>
   const V t144 = c[2] * t128 + c[8] * t133 - c[5] * t138;
   const V t148 = c[1] * t128 + c[7] * t133 - c[4] * t138;
   const V t149 = t140 + t144 + t148;
-  out[0] += S(0.16666666666666666) * t94;
-  out[1] += S(0.16666666666666666) * t124;
-  out[2] -= S(0.16666666666666666) * t149;
-  out[3] -= S(0.16666666666666666) * t93;
-  out[4] -= S(0.16666666666666666) * t123;
-  out[5] += S(0.16666666666666666) * t148;
-  out[6] -= S(0.16666666666666666) * t89;
-  out[7] -= S(0.16666666666666666) * t119;
-  out[8] += S(0.16666666666666666) * t144;
-  out[9] -= S(0.16666666666666666) * t85;
-  out[10] -= S(0.16666666666666666) * t115;
-  out[11] += S(0.16666666666666666) * t140;
+  out[0] += t94;
+  out[1] += t124;
+  out[2] -= t149;
+  out[3] -= t93;
+  out[4] -= t123;
+  out[5] += t148;
+  out[6] -= t89;
+  out[7] -= t119;
+  out[8] += t144;
+  out[9] -= t85;
+  out[10] -= t115;
+  out[11] += t140;
   kernel::keep_smaller<V>(margin, t66);
 }
 
-/// forces: 393 flops per element, 2 fragments, 2 of them different
+/// forces: 379 flops per element, 2 fragments, 2 of them different
 template <class V>
 inline void forces([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -419,6 +427,8 @@ inline void forces([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]
   forces_0<V>(in, out, margin);
   forces_1<V>(in, out, margin);
 }
+
+using forces_steps = kernel::NoSteps;
 
 template <class V>
 [[gnu::noinline]] void product_0([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V*
@@ -571,18 +581,18 @@ template <class V>
   const V t304 = c[2] * t264 + c[5] * t281 + c[8] * t298;
   const V t308 = c[1] * t264 + c[4] * t281 + c[7] * t298;
   const V t309 = t300 + t304 + t308;
-  out[0] -= S(0.16666666666666666) * t184;
-  out[1] -= S(0.16666666666666666) * t247;
-  out[2] -= S(0.16666666666666666) * t309;
-  out[3] += S(0.16666666666666666) * t183;
-  out[4] += S(0.16666666666666666) * t246;
-  out[5] += S(0.16666666666666666) * t308;
-  out[6] += S(0.16666666666666666) * t179;
-  out[7] += S(0.16666666666666666) * t242;
-  out[8] += S(0.16666666666666666) * t304;
-  out[9] += S(0.16666666666666666) * t175;
-  out[10] += S(0.16666666666666666) * t238;
-  out[11] += S(0.16666666666666666) * t300;
+  out[0] -= t184;
+  out[1] -= t247;
+  out[2] -= t309;
+  out[3] += t183;
+  out[4] += t246;
+  out[5] += t308;
+  out[6] += t179;
+  out[7] += t242;
+  out[8] += t304;
+  out[9] += t175;
+  out[10] += t238;
+  out[11] += t300;
   kernel::keep_smaller<V>(margin, t95);
 }
 
@@ -764,22 +774,22 @@ template <class V>
   const V t354 = c[2] * t316 - c[5] * t332 + c[8] * t348;
   const V t358 = c[1] * t316 - c[4] * t332 + c[7] * t348;
   const V t359 = t350 + t354 + t358;
-  out[0] += S(0.16666666666666666) * t222;
-  out[1] += S(0.16666666666666666) * t296;
-  out[2] -= S(0.16666666666666666) * t359;
-  out[3] -= S(0.16666666666666666) * t221;
-  out[4] -= S(0.16666666666666666) * t295;
-  out[5] += S(0.16666666666666666) * t358;
-  out[6] -= S(0.16666666666666666) * t217;
-  out[7] -= S(0.16666666666666666) * t291;
-  out[8] += S(0.16666666666666666) * t354;
-  out[9] -= S(0.16666666666666666) * t213;
-  out[10] -= S(0.16666666666666666) * t287;
-  out[11] += S(0.16666666666666666) * t350;
+  out[0] += t222;
+  out[1] += t296;
+  out[2] -= t359;
+  out[3] -= t221;
+  out[4] -= t295;
+  out[5] += t358;
+  out[6] -= t217;
+  out[7] -= t291;
+  out[8] += t354;
+  out[9] -= t213;
+  out[10] -= t287;
+  out[11] += t350;
   kernel::keep_smaller<V>(margin, t147);
 }
 
-/// product: 786 flops per element, 2 fragments, 2 of them different
+/// product: 772 flops per element, 2 fragments, 2 of them different
 template <class V>
 inline void product([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -787,6 +797,8 @@ inline void product([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused
   product_0<V>(in, out, margin);
   product_1<V>(in, out, margin);
 }
+
+using product_steps = kernel::NoSteps;
 
 template <class V>
 [[gnu::noinline]] void linearize_0([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V*
@@ -905,6 +917,8 @@ inline void linearize([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
   linearize_0<V>(in, out, margin);
   linearize_1<V>(in, out, margin);
 }
+
+using linearize_steps = kernel::NoSteps;
 
 template <class V>
 [[gnu::noinline]] void apply_0([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V*
@@ -1025,18 +1039,18 @@ template <class V>
   const V t234 = c[2] * t198 + c[5] * t215 + c[8] * t228;
   const V t238 = c[1] * t198 + c[4] * t215 + c[7] * t228;
   const V t239 = t230 + t234 + t238;
-  out[0] -= S(0.16666666666666666) * t122;
-  out[1] -= S(0.16666666666666666) * t181;
-  out[2] -= S(0.16666666666666666) * t239;
-  out[3] += S(0.16666666666666666) * t121;
-  out[4] += S(0.16666666666666666) * t180;
-  out[5] += S(0.16666666666666666) * t238;
-  out[6] += S(0.16666666666666666) * t117;
-  out[7] += S(0.16666666666666666) * t176;
-  out[8] += S(0.16666666666666666) * t234;
-  out[9] += S(0.16666666666666666) * t113;
-  out[10] += S(0.16666666666666666) * t172;
-  out[11] += S(0.16666666666666666) * t230;
+  out[0] -= t122;
+  out[1] -= t181;
+  out[2] -= t239;
+  out[3] += t121;
+  out[4] += t180;
+  out[5] += t238;
+  out[6] += t117;
+  out[7] += t176;
+  out[8] += t234;
+  out[9] += t113;
+  out[10] += t172;
+  out[11] += t230;
 }
 
 template <class V>
@@ -1187,21 +1201,21 @@ template <class V>
   const V t290 = -c[5] * t251 + c[2] * t272 + c[8] * t284;
   const V t294 = -c[4] * t251 + c[1] * t272 + c[7] * t284;
   const V t295 = t286 + t290 + t294;
-  out[0] += S(0.16666666666666666) * t166;
-  out[1] += S(0.16666666666666666) * t236;
-  out[2] -= S(0.16666666666666666) * t295;
-  out[3] -= S(0.16666666666666666) * t165;
-  out[4] -= S(0.16666666666666666) * t235;
-  out[5] += S(0.16666666666666666) * t294;
-  out[6] -= S(0.16666666666666666) * t161;
-  out[7] -= S(0.16666666666666666) * t231;
-  out[8] += S(0.16666666666666666) * t290;
-  out[9] -= S(0.16666666666666666) * t157;
-  out[10] -= S(0.16666666666666666) * t227;
-  out[11] += S(0.16666666666666666) * t286;
+  out[0] += t166;
+  out[1] += t236;
+  out[2] -= t295;
+  out[3] -= t165;
+  out[4] -= t235;
+  out[5] += t294;
+  out[6] -= t161;
+  out[7] -= t231;
+  out[8] += t290;
+  out[9] -= t157;
+  out[10] -= t227;
+  out[11] += t286;
 }
 
-/// apply: 625 flops per element, 2 fragments, 2 of them different
+/// apply: 611 flops per element, 2 fragments, 2 of them different
 template <class V>
 inline void apply([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
     [[maybe_unused]] V& margin) {
@@ -1209,6 +1223,8 @@ inline void apply([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]]
   apply_0<V>(in, out, margin);
   apply_1<V>(in, out, margin);
 }
+
+using apply_steps = kernel::NoSteps;
 
 /// stiffness: linearize once, apply along every unit direction; K = -product
 template <class V>
@@ -1226,6 +1242,8 @@ inline void stiffness([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unus
     for (int i = 0; i < 12; ++i) out[i * 12 + j] = -column[i];
   }
 }
+
+using stiffness_steps = kernel::NoSteps;
 
 }  // namespace general
 

@@ -76,7 +76,7 @@ struct Batches {
 extern "C" {
 [[gnu::noinline]] void counted_kernel(elastogen::KernelFunction<double> kernel,
                                       const elastogen::KernelArguments<double>& arguments) {
-  kernel(arguments);
+  kernel(&arguments, 1);
 }
 [[gnu::noinline]] void counted_pass(const Table& table, const elastogen::NodalPass<double>& pass) {
   table.nodal_pass(pass);
@@ -99,6 +99,7 @@ int main(int argc, char** argv) {
   }
   elastogen::NodalPass<double> pass;
   pass.kernel = kernel;
+  pass.batches_at_once = variant->batches_at_once;
   pass.arguments = batches.arguments();
   pass.constants_stride = batches.constants_per_batch;
   pass.dofs = batches.dofs.data();

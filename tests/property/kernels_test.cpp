@@ -218,6 +218,69 @@ TEST_P(Kernels, SpecialVariantsAgreeWithTheGeneralOne) {
   }
 }
 
+TEST_P(Kernels, GiveBatchesAtOnceWhatEachGetsAlone) {
+  const VariantTable<double>& variant = table.variants[0];
+  const auto lanes = static_cast<std::size_t>(table.lanes);
+  const auto dofs = static_cast<std::size_t>(table.num_nodes * table.dim);
+  const auto size_of = [&](std::int32_t count) { return lanes * static_cast<std::size_t>(count); };
+  struct Batch {
+    AlignedVector<double> positions, displacement, direction, constants, state, output;
+    std::vector<std::uint32_t> status;
+  };
+  std::vector<double> parameters;
+  std::array<Batch, most_batches_at_once> batches;
+  std::array<KernelArguments<double>, most_batches_at_once> arguments;
+  for (std::size_t k = 0; k < batches.size(); ++k) {
+    Batch& batch = batches[k];
+    for (std::size_t d = 0; d < dofs; ++d) {
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const ElementCase each = sample(0.1, static_cast<int>(20 + 10 * k + lane));
+        parameters = each.parameters;
+        batch.positions.push_back(each.rest_positions[d]);
+        batch.displacement.push_back(each.displacement[d]);
+        batch.direction.push_back(each.direction[d]);
+      }
+    }
+    batch.constants.resize(size_of(variant.num_constants));
+    batch.state.resize(size_of(variant.num_state));
+    batch.output.resize(lanes * dofs);
+    batch.status.assign(lanes, status_ok);
+    arguments[k] = {batch.positions.data(),    parameters.data(),      batch.constants.data(),
+                    batch.displacement.data(), batch.direction.data(), batch.state.data(),
+                    batch.constants.data(),    batch.status.data()};
+    variant.constants(&arguments[k], 1);
+  }
+  const auto results = [&](KernelFunction<double> kernel, AlignedVector<double> Batch::*output,
+                           int at_once) {
+    std::vector<AlignedVector<double>> found;
+    for (std::size_t k = 0; k < batches.size(); ++k) {
+      std::fill((batches[k].*output).begin(), (batches[k].*output).end(), -1.0);
+      arguments[k].output = (batches[k].*output).data();
+    }
+    for (int k = 0; k < most_batches_at_once; k += at_once) {
+      kernel(arguments.data() + k, std::min(at_once, most_batches_at_once - k));
+    }
+    for (const Batch& batch : batches) {
+      found.push_back(batch.*output);
+      EXPECT_EQ(batch.status, std::vector<std::uint32_t>(lanes, status_ok));
+    }
+    return found;
+  };
+  const auto expect_same = [&](const char* name, KernelFunction<double> kernel,
+                               AlignedVector<double> Batch::*output) {
+    SCOPED_TRACE(name);
+    const auto alone = results(kernel, output, 1);
+    for (const int at_once : {2, 3, most_batches_at_once}) {
+      EXPECT_EQ(results(kernel, output, at_once), alone) << at_once;
+    }
+  };
+  expect_same("energy", variant.energy, &Batch::output);
+  expect_same("forces", variant.forces, &Batch::output);
+  expect_same("product", variant.product, &Batch::output);
+  expect_same("linearize", variant.linearize, &Batch::state);
+  expect_same("apply", variant.apply, &Batch::output);
+}
+
 TEST_P(Kernels, StatusTellsBadResults) {
   ElementCase input = sample(0.1, 7);
   input.displacement[0] = std::numeric_limits<double>::quiet_NaN();
@@ -251,13 +314,13 @@ TEST(Status, EveryOperationReportsTheDomain) {
   arguments.displacement = displacement.data();
   arguments.direction = direction.data();
   arguments.output = constants.data();
-  variant.constants(arguments);
+  variant.constants(&arguments, 1);
   arguments.output = output.data();
   for (const auto kernel :
        {variant.energy, variant.forces, variant.product, variant.linearize, variant.stiffness}) {
     std::array<std::uint32_t, 8> status{};
     arguments.status = status.data();
-    kernel(arguments);
+    kernel(&arguments, 1);
     EXPECT_NE(status[0] & status_outside_domain, 0U);
   }
 }

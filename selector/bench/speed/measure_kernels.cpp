@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 
@@ -11,39 +12,38 @@
 namespace elastogen::selector {
 namespace {
 
-/// Batches that are computed in turn: so few that they stay in the first cache, so many that no
-/// operand is in a register.
-constexpr std::size_t num_batches = 2;
-
-/// One kernel's call on each batch in turn.
+/// One kernel's calls on batches in turn, as passes make them: so few that they stay in the first
+/// cache, so many that no operand is in a register.
 template <class Scalar>
 class KernelCalls {
  public:
   KernelCalls(const Mesh& mesh, const AssociationKernels& kernels, const KernelTable<Scalar>& table,
               const VariantTable<Scalar>& variant)
-      : group_(first_batches(mesh, kernels, table, variant)) {
+      : at_once_(static_cast<std::size_t>(variant.batches_at_once)),
+        num_batches_(std::max<std::size_t>(2, at_once_)),
+        group_(first_batches(mesh, kernels, table, variant)) {
     const std::size_t values = group_.values_per_batch();
     const Vector u = bent(mesh), v = random_direction(mesh);
-    displacement_.resize(values * num_batches);
-    direction_.resize(values * num_batches);
+    displacement_.resize(values * num_batches_);
+    direction_.resize(values * num_batches_);
     output_.resize(values * static_cast<std::size_t>(group_.num_nodes * group_.dim));
     flags_.resize(static_cast<std::size_t>(group_.lanes));
     with_layout(group_, [&](auto layout) {
-      for (std::size_t b = 0; b < num_batches; ++b) {
+      for (std::size_t b = 0; b < num_batches_; ++b) {
         const std::int32_t* dofs =
             group_.dofs.data() + b * values / static_cast<std::size_t>(group_.dim);
         layout.gather(dofs, group_.num_nodes, u.data(), displacement_.data() + b * values);
         layout.gather(dofs, group_.num_nodes, v.data(), direction_.data() + b * values);
       }
     });
-    group_.state.resize(num_batches * static_cast<std::size_t>(group_.lanes) *
+    group_.state.resize(num_batches_ * static_cast<std::size_t>(group_.lanes) *
                         static_cast<std::size_t>(variant.num_state));
   }
 
   /// Time per element [s].
   Timing time(KernelFunction<Scalar> kernel, double seconds) {
-    std::array<KernelArguments<Scalar>, num_batches> arguments;
-    for (std::size_t batch = 0; batch < num_batches; ++batch) {
+    std::array<KernelArguments<Scalar>, most_batches_at_once> arguments;
+    for (std::size_t batch = 0; batch < num_batches_; ++batch) {
       const std::size_t first = batch * group_.values_per_batch();
       arguments[batch] = group_.arguments(batch);
       arguments[batch].displacement = displacement_.data() + first;
@@ -52,16 +52,20 @@ class KernelCalls {
       arguments[batch].status = flags_.data();
     }
     const Timing round = time_calls(1, seconds, [&] {
-      for (const KernelArguments<Scalar>& batch : arguments) kernel(batch);
+      for (std::size_t batch = 0; batch < num_batches_; batch += at_once_) {
+        kernel(arguments.data() + batch, static_cast<int>(at_once_));
+      }
     });
-    return round / static_cast<double>(num_batches) / group_.lanes;
+    return round / static_cast<double>(num_batches_) / group_.lanes;
   }
 
+  [[nodiscard]] std::size_t num_batches() const { return num_batches_; }
+
  private:
-  static ElementGroup<Scalar> first_batches(const Mesh& mesh, const AssociationKernels& kernels,
-                                            const KernelTable<Scalar>& table,
-                                            const VariantTable<Scalar>& variant) {
-    std::vector<std::int32_t> elements(num_batches * static_cast<std::size_t>(table.lanes));
+  ElementGroup<Scalar> first_batches(const Mesh& mesh, const AssociationKernels& kernels,
+                                     const KernelTable<Scalar>& table,
+                                     const VariantTable<Scalar>& variant) const {
+    std::vector<std::int32_t> elements(num_batches_ * static_cast<std::size_t>(table.lanes));
     std::iota(elements.begin(), elements.end(), 0);
     ElementGroupSource<Scalar> source;
     source.elements = elements;
@@ -73,6 +77,7 @@ class KernelCalls {
     return group;
   }
 
+  std::size_t at_once_, num_batches_;
   ElementGroup<Scalar> group_;
   AlignedVector<Scalar> displacement_, direction_, output_;
   AlignedVector<std::uint32_t> flags_;
@@ -90,7 +95,7 @@ void measure_table(const AssociationKernels& kernels, const KernelTable<Scalar>&
       {"energy", &VariantTable<Scalar>::energy},   {"forces", &VariantTable<Scalar>::forces},
       {"product", &VariantTable<Scalar>::product}, {"linearize", &VariantTable<Scalar>::linearize},
       {"apply", &VariantTable<Scalar>::apply},     {"stiffness", &VariantTable<Scalar>::stiffness}};
-  // Enough elements for two batches of floats, whatever cells are cut into; boxes are affine, too.
+  // Enough elements for four batches of floats, whatever cells are cut into; boxes are affine, too.
   const Mesh mesh = make_speed_mesh(kernels.id, 256, false);
   for (std::int32_t v = 0; v < table.num_variants; ++v) {
     const VariantTable<Scalar>& variant = table.variants[v];
@@ -106,7 +111,7 @@ void measure_table(const AssociationKernels& kernels, const KernelTable<Scalar>&
       record.geometry = variant.geometry;
       record.precision = sizeof(Scalar) == 8 ? "double" : "single";
       record.operation = entry.name;
-      record.elements = num_batches * static_cast<std::size_t>(table.lanes);
+      record.elements = calls.num_batches() * static_cast<std::size_t>(table.lanes);
       record.minimum = 1e9 * time.minimum;
       record.median = 1e9 * time.median;
       record.flops = static_cast<double>(report.flops);

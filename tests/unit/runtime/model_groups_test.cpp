@@ -8,6 +8,7 @@
 
 #include "runtime/error.h"
 #include "runtime/model.h"
+#include "tests/unit/each_batch.h"
 #include "tests/unit/runtime/test_meshes.h"
 
 namespace elastogen::test {
@@ -160,14 +161,16 @@ TEST(Model, WorksInThePlane) {
                                         0,
                                         0,
                                         false,
-                                        &Foundation::constants,
-                                        &Foundation::geometry_measures,
-                                        &Foundation::energy,
-                                        &Foundation::forces,
+                                        1,
+                                        {1, 1, 1},
+                                        each_batch<&Foundation::constants>,
+                                        each_batch<&Foundation::geometry_measures>,
+                                        each_batch<&Foundation::energy>,
+                                        each_batch<&Foundation::forces>,
                                         nullptr,
                                         nullptr,
                                         nullptr,
-                                        &Foundation::stiffness};
+                                        each_batch<&Foundation::stiffness>};
   const KernelTable<double> table = {kernel_abi_version,
                                      8,
                                      "foundation-tri3-q1-none",

@@ -13,6 +13,7 @@
 
 #include "runtime/kernel_abi.h"
 #include "runtime/nodal_pass.h"
+#include "tests/unit/each_batch.h"
 
 namespace elastogen::test {
 
@@ -267,8 +268,20 @@ struct ReferenceKernels {
   }
 
   static VariantTable<double> make_variant(const char* geometry) {
-    return {geometry, num_constants, num_state, FromPositions, &constants, &geometry_measures,
-            &energy,  &forces,       &product,  &linearize,    &apply,     &stiffness};
+    return {geometry,
+            num_constants,
+            num_state,
+            FromPositions,
+            most_batches_at_once,
+            {1, 1, 1},
+            each_batch<&constants>,
+            each_batch<&geometry_measures>,
+            each_batch<&energy>,
+            each_batch<&forces>,
+            each_batch<&product>,
+            each_batch<&linearize>,
+            each_batch<&apply>,
+            each_batch<&stiffness>};
   }
 
   /// @param with_box  adds a variant "box" that computes the same

@@ -304,7 +304,7 @@ TEST(SolveStatic, HalvesALoadStepWhosePrescribedMotionFails) {
   const Mesh mesh = bar_mesh("hexa8", {4, 1, 1}, {4, 1, 1});
   auto table = FailingKernels::Reference::table();
   VariantTable<double> variant = table.variants[0];
-  variant.energy = &FailingKernels::energy;
+  variant.energy = each_batch<&FailingKernels::energy>;
   table.variants = &variant;
   Constraints constraints = clamp_left(mesh);
   for (std::size_t node = 0; node < mesh.num_nodes(); ++node) {

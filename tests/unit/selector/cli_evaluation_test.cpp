@@ -5,9 +5,12 @@
 #include "runtime/error.h"
 #include "selector/commands/evaluation.h"
 #include "temporary_folder.h"
+#include "tests/unit/each_batch.h"
 
 namespace elastogen::selector {
 namespace {
+
+using test::each_batch;
 
 // Kernels of springs from each degree of freedom to its rest position: W = 1/2 p u.u with the
 // grouped constant p = parameter * first coordinate. One lane of `broken` tables is off.
@@ -56,9 +59,20 @@ void stiffness(const KernelArguments<double>& a) {
 template <int Lanes>
 const KernelTable<double>& spring_table() {
   static const char* const names[] = {"p"};
-  static const VariantTable<double> variants[] = {
-      {"general", 1, 0, false, constants<Lanes>, nullptr, energy<Lanes>, forces<Lanes>,
-       product<Lanes>, nullptr, nullptr, stiffness<Lanes>}};
+  static const VariantTable<double> variants[] = {{"general",
+                                                   1,
+                                                   0,
+                                                   false,
+                                                   1,
+                                                   {1, 1, 1},
+                                                   each_batch<constants<Lanes>>,
+                                                   nullptr,
+                                                   each_batch<energy<Lanes>>,
+                                                   each_batch<forces<Lanes>>,
+                                                   each_batch<product<Lanes>>,
+                                                   nullptr,
+                                                   nullptr,
+                                                   each_batch<stiffness<Lanes>>}};
   static const KernelTable<double> table = {kernel_abi_version,
                                             Lanes,
                                             "spring-tet4-q1-none",
