@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "runtime/cheaper_product.h"
 #include "runtime/element_group.h"
 #include "runtime/element_system.h"
 #include "runtime/error.h"
@@ -105,6 +106,11 @@ std::string_view precision_name(Precision precision) {
   return names[static_cast<std::size_t>(precision)];
 }
 
+std::string_view tangent_product_name(TangentProduct product) {
+  constexpr std::array<std::string_view, 4> names = {"recompute", "two-stage", "assembled", "auto"};
+  return names[static_cast<std::size_t>(product)];
+}
+
 struct Model::Data {
   int dim = 3;
   std::size_t num_nodes = 0;
@@ -140,6 +146,9 @@ struct Model::Data {
   template <class Scalar>
   void make_system(std::optional<ElementSystem<Scalar>>& system,
                    std::vector<ElementGroup<Scalar>> groups, bool has_tangent) {
+    if (has_tangent && options.tangent_product == TangentProduct::automatic) {
+      options.tangent_product = cheaper_product(groups, options.products_per_tangent);
+    }
     const bool two_stage = has_tangent && options.tangent_product == TangentProduct::two_stage;
     system.emplace(std::move(groups), num_nodes, dim, threads, two_stage, reordered);
     threads = system->num_threads();
@@ -283,6 +292,8 @@ void Model::product(const ConstVectorRef& v, double scale, VectorRef df) {
     case TangentProduct::two_stage:
       d.status = d.with_tangent(
           [&](auto& elements) { return elements.apply(v.data(), scale, df.data()); });
+      break;
+    case TangentProduct::automatic:  // has become one of the others
       break;
     case TangentProduct::assembled:
       d.status = {};

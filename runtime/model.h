@@ -59,6 +59,8 @@ struct SleepOptions {
 struct ModelOptions {
   int threads = 0;  ///< OpenMP threads; 0: as many as OpenMP offers and the elements' work pays for
   TangentProduct tangent_product = TangentProduct::recompute;
+  /// Products that follow a linearisation, about: what `automatic` compares costs for.
+  double products_per_tangent = 20;
   Precision precision = Precision::double_precision;
   /// Elements that are translations of each other, to 1e-12 of their size, share one set of grouped
   /// constants where most elements do: less memory to read, and results that differ by about as
@@ -136,6 +138,7 @@ class Model {
   [[nodiscard]] std::size_t num_dofs() const;  ///< dim * num_nodes
   [[nodiscard]] std::size_t num_elements() const;
   [[nodiscard]] int num_threads() const;
+  /// `automatic` has become what was chosen.
   [[nodiscard]] TangentProduct tangent_product() const;
   [[nodiscard]] Precision precision() const;
   /// Whether the mesh was found scattered and passes go along a curve (ModelOptions::reorder).

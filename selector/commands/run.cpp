@@ -232,9 +232,9 @@ int run(const RunOptions& options, const Context& context) {
   check_can_be_written(summary.folder);
   summary.times.mesh = watch.lap();
 
-  summary.operations = operations_of(scene, problem);
-  const Precision precision = scene.solver.precision;
-  const SceneKernels kernels = load_kernels(problem, summary.operations, precision, context);
+  const SceneKernels kernels =
+      load_kernels(problem, operations_of(scene, problem, scene.solver.tangent),
+                   scene.solver.precision, context);
   for (const LoadedKernels& loaded : kernels.loaded) {
     const KernelBuildReport& report = loaded.report();
     summary.kernels.push_back({report.association, loaded.scalar(), report.up_to_date,
@@ -249,6 +249,8 @@ int run(const RunOptions& options, const Context& context) {
                       context.threads > 0 ? context.threads : usual_threads);
   });
   summary.groups = model.groups();
+  summary.tangent = model.tangent_product();
+  summary.operations = operations_of(scene, problem, summary.tangent);
   summary.threads = model.num_threads();
   if (scene.dynamics) summary.plan = plan_motion(scene, problem, model);
   model.let_sleep(true);

@@ -18,9 +18,10 @@ std::string_view bytes_of(const Number* numbers, std::size_t count) {
 
 /// Settings of the steps; a number's shortest text that reads back as itself stands for it.
 std::string settings_text(const Scene& scene, double time_step) {
-  const std::string method = fmt::format(
-      "{} {} {}", precision_name(scene.solver.precision), solver_name(scene.solver.method),
-      scene.solver.projection ? projection_name(*scene.solver.projection) : "default");
+  const std::string method =
+      fmt::format("{} {} {} {}", precision_name(scene.solver.precision),
+                  solver_name(scene.solver.method), tangent_product_name(scene.solver.tangent),
+                  scene.solver.projection ? projection_name(*scene.solver.projection) : "default");
   if (!scene.dynamics) {
     return fmt::format("static {} {} {}", method, scene.solver.tolerance, scene.solver.load_steps);
   }

@@ -204,10 +204,10 @@ SolverSettings read_solver(const TomlTable& table,
                            const std::optional<DynamicsDescription>& dynamics) {
   const bool has_tangent = !dynamics || !is_explicit(dynamics->options.scheme);
   if (!dynamics) {
-    table.allow_only(
-        {"method", "project", "precision", "tolerance", "max_iterations", "load_steps", "threads"});
+    table.allow_only({"method", "tangent", "project", "precision", "tolerance", "max_iterations",
+                      "load_steps", "threads"});
   } else if (has_tangent) {
-    table.allow_only({"method", "project", "precision", "threads"});
+    table.allow_only({"method", "tangent", "project", "precision", "threads"});
   } else {
     table.allow_only({"precision", "threads"});
   }
@@ -216,6 +216,14 @@ SolverSettings read_solver(const TomlTable& table,
     solver.method = choose(table, "method", solver_name,
                            {LinearSolverKind::conjugate_gradient, LinearSolverKind::cholesky,
                             LinearSolverKind::cholesky_cg, LinearSolverKind::incomplete_cg});
+  }
+  const bool has_products = has_tangent && solver.method != LinearSolverKind::cholesky;
+  if (!has_products) solver.tangent = TangentProduct::recompute;
+  if (table.has("tangent")) {
+    if (!has_products) table.fail("tangent", "is for methods with conjugate gradient");
+    solver.tangent = choose(table, "tangent", tangent_product_name,
+                            {TangentProduct::automatic, TangentProduct::recompute,
+                             TangentProduct::two_stage, TangentProduct::assembled});
   }
   if (table.has("project")) {
     solver.projection =

@@ -101,6 +101,7 @@ struct SolverSettings {
   LinearSolverKind method = LinearSolverKind::conjugate_gradient;
   std::optional<TangentProjection> projection;  ///< none: the default of statics or dynamics
   Precision precision = Precision::double_precision;
+  TangentProduct tangent = TangentProduct::automatic;  ///< recompute where nothing iterates
   double tolerance = 1e-8;
   int max_iterations = 100;
   int load_steps = 1;

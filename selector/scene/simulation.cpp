@@ -4,31 +4,60 @@
 
 namespace elastogen::selector {
 
-std::vector<std::string> operations_of(const Scene& scene, const Problem& problem) {
+namespace {
+
+/// What products with the tangent may be computed by.
+std::vector<std::string> product_operations(TangentProduct product) {
+  switch (product) {
+    case TangentProduct::recompute:
+      return {"product"};
+    case TangentProduct::two_stage:
+      return {"linearize", "apply"};
+    case TangentProduct::automatic:
+      return {"product", "linearize", "apply"};
+    case TangentProduct::assembled:
+      break;
+  }
+  return {};
+}
+
+/// Products that follow a linearisation, about: few where a factor preconditions.
+double products_per_tangent(LinearSolverKind method) {
+  return method == LinearSolverKind::conjugate_gradient ? 20 : 4;
+}
+
+}  // namespace
+
+std::vector<std::string> operations_of(const Scene& scene, const Problem& problem,
+                                       TangentProduct tangent) {
+  const std::vector<std::string> products = product_operations(tangent);
   if (scene.dynamics) {
     std::vector<std::string> operations = {"forces"};
     // The right side of implicit Euler is a product, the preconditioner has blocks of the
     // stiffness.
     if (!is_explicit(scene.dynamics->options.scheme)) {
-      operations.insert(operations.end(), {"product", "stiffness"});
+      operations.insert(operations.end(), products.begin(), products.end());
+      operations.emplace_back("stiffness");
     }
     if (scene.output.energy) operations.insert(operations.begin(), "energy");
     return operations;
   }
   // Conjugate gradient takes the blocks of its preconditioner from the stiffness. Where constrained
   // nodes have to move, a solve starts from the linear answer to that, which takes products.
+  std::vector<std::string> operations = {"energy", "forces"};
   const bool has_gap = !problem.motion.empty() || scene.start != Start::rest;
   if (scene.solver.method != LinearSolverKind::cholesky || has_gap) {
-    return {"energy", "forces", "product", "stiffness"};
+    operations.insert(operations.end(), products.begin(), products.end());
   }
-  return {"energy", "forces", "stiffness"};
+  operations.emplace_back("stiffness");
+  return operations;
 }
 
 OperationsByPrecision divide_operations(const std::vector<std::string>& operations,
                                         Precision precision) {
   OperationsByPrecision divided;
   for (const std::string& operation : operations) {
-    const bool of_tangent = operation == "product" || operation == "stiffness";
+    const bool of_tangent = operation != "energy" && operation != "forces";
     const bool single =
         precision == Precision::single_precision || (precision == Precision::mixed && of_tangent);
     (single ? divided.in_single : divided.in_double).push_back(operation);
@@ -50,6 +79,8 @@ Model make_model(const Scene& scene, const Problem& problem, std::span<const Blo
   ModelOptions options;
   options.threads = threads;
   options.precision = scene.solver.precision;
+  options.tangent_product = scene.solver.tangent;
+  options.products_per_tangent = products_per_tangent(scene.solver.method);
   options.share_constants = scene.skip.congruent;
   if (scene.skip.at_rest) options.held_nodes = problem.motion.held_nodes();
   options.sleep = scene.skip.sleep;

@@ -22,7 +22,9 @@ struct BlockKernels {
 };
 
 /// Operations that a scene's run calls; kernels need no others.
-[[nodiscard]] std::vector<std::string> operations_of(const Scene& scene, const Problem& problem);
+/// @param tangent  how products are computed; automatic: whatever may be chosen
+[[nodiscard]] std::vector<std::string> operations_of(const Scene& scene, const Problem& problem,
+                                                     TangentProduct tangent);
 
 /// Which of them are called in double, and which in single precision.
 struct OperationsByPrecision {

@@ -95,6 +95,7 @@ Json newton_json(const RunSummary& summary) {
   const NewtonResult& newton = *summary.newton;
   Json entry = {{"status", status_name(newton.status)},
                 {"method", solver_name(summary.scene->solver.method)},
+                {"tangent", tangent_product_name(summary.tangent)},
                 {"precision", precision_name(summary.scene->solver.precision)},
                 {"newton_iterations", newton.iterations},
                 {"cg_iterations", newton.linear_iterations},
@@ -128,6 +129,7 @@ Json motion_json(const RunSummary& summary) {
     entry["critical_step"] = *plan.critical_step;
   } else {
     entry["method"] = solver_name(summary.scene->solver.method);
+    entry["tangent"] = tangent_product_name(summary.tangent);
     entry["cg_iterations"] = motion.linear_iterations;
     entry["halved_steps"] = motion.halvings;
   }
@@ -287,7 +289,8 @@ std::string newton_text(const RunSummary& summary) {
                                  status_name(newton.status), newton.iterations);
   std::vector<std::string> counts;
   if (newton.linear_iterations > 0 || newton.factorizations == 0) {
-    counts.push_back(fmt::format("{} CG iterations", newton.linear_iterations));
+    counts.push_back(fmt::format("{} CG iterations ({} products)", newton.linear_iterations,
+                                 tangent_product_name(summary.tangent)));
   }
   if (newton.factorizations > 0) {
     counts.push_back(fmt::format("{} factorizations", newton.factorizations));
@@ -311,9 +314,10 @@ std::string motion_text(const RunSummary& summary) {
   if (plan.critical_step) {
     text += fmt::format("critical step {:.4g} s", *plan.critical_step);
   } else {
-    text += fmt::format("{}, {:.1f} CG iterations per step, {} steps halved",
+    text += fmt::format("{}, {:.1f} CG iterations per step ({} products), {} steps halved",
                         solver_name(summary.scene->solver.method),
-                        static_cast<double>(motion.linear_iterations) / made, motion.halvings);
+                        static_cast<double>(motion.linear_iterations) / made,
+                        tangent_product_name(summary.tangent), motion.halvings);
   }
   return text + fmt::format("; {:.3g} ms per step\n", 1000 * motion.seconds / made);
 }

@@ -42,7 +42,8 @@ struct RunSummary {
   std::optional<RunPosition> resumed_from;  ///< where the checkpoint was
   std::vector<KernelOrigin> kernels;
   std::vector<GroupSummary> groups;
-  std::vector<std::string> operations;  ///< generated
+  std::vector<std::string> operations;  ///< that the run calls
+  TangentProduct tangent = TangentProduct::recompute;
   SkippedWork skipped;
   bool reordered = false;  ///< the mesh was scattered (ModelOptions::reorder)
   int threads = 0;

@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <ostream>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "run_fixture.h"
@@ -128,6 +130,37 @@ TEST_P(Method, GivesTheReactionToAPrescribedStretchByHand) {
 
 INSTANTIATE_TEST_SUITE_P(All, Method,
                          testing::Values("cg", "cholesky", "cholesky_cg", "incomplete_cg"));
+
+class Tangent : public Run, public testing::WithParamInterface<const char*> {};
+
+TEST_P(Tangent, GivesTheSameByEveryKindOfProduct) {
+  const double force = 1.1 * 1e6 * (1.1 * 1.1 - 1) / 2;
+  for (const std::string precision : {"double", "mixed"}) {
+    SCOPED_TRACE(precision);
+    const ProcessResult result =
+        run_scene(write(pulled_bar + "[solver]\ntangent = \"" + GetParam() + "\"\nprecision = \"" +
+                        precision + "\"\n"));
+    ASSERT_EQ(result.exit_status, 0) << result.output;
+    const nlohmann::json solver = summary()["solver"];
+    const nlohmann::json skipped = summary()["skipped_operations"];
+    const auto calls = [&](const char* operation) {
+      return std::find(skipped.begin(), skipped.end(), operation) == skipped.end();
+    };
+    const std::string chosen = solver["tangent"];
+    if (std::string_view(GetParam()) == "auto") {
+      EXPECT_TRUE(chosen == "recompute" || chosen == "two-stage") << chosen;
+    } else {
+      EXPECT_EQ(chosen, GetParam());
+    }
+    EXPECT_EQ(calls("product"), chosen == "recompute");
+    EXPECT_EQ(calls("linearize"), chosen == "two-stage");
+    EXPECT_EQ(calls("apply"), chosen == "two-stage");
+    EXPECT_NEAR(summary()["probes"][1]["reaction"][0], force, 1e-6 * force);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Tangent,
+                         testing::Values("auto", "recompute", "two-stage", "assembled"));
 
 struct PrecisionOfScene {
   const char* precision;

@@ -8,8 +8,9 @@ namespace elastogen::selector {
 namespace {
 
 TangentProduct strategy_named(const std::string& name) {
-  if (name == "two-stage") return TangentProduct::two_stage;
-  if (name == "assembled") return TangentProduct::assembled;
+  for (const auto product : {TangentProduct::two_stage, TangentProduct::assembled}) {
+    if (name == tangent_product_name(product)) return product;
+  }
   return TangentProduct::recompute;
 }
 

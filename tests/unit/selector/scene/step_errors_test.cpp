@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(
         StepMistake{
             "StaticKeysOfAMotion",
             IMPLICIT "[solver]\nload_steps = 3",
-            {"unknown key 'solver.load_steps'", "may have: method, project, precision, threads"}},
+            {"unknown key 'solver.load_steps'", "may have: method, tangent, project, precision, threads"}},
         StepMistake{"MethodOfAnExplicitScheme",
                     EXPLICIT "[solver]\nmethod = \"cg\"",
                     {"unknown key 'solver.method'", "may have: precision, threads"}},
