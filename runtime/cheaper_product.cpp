@@ -4,7 +4,8 @@ namespace elastogen {
 namespace {
 
 /// Reading or writing a number of state, in additions: from the last cache, and from memory. It
-/// streams, so processors fetch it ahead.
+/// streams, so processors fetch it ahead: a core of Zen 3 reads 8 bytes in 0.5 ns from memory, in
+/// which a kernel does 12 operations.
 constexpr double price_in_cache = 3, price_in_memory = 12;
 /// What the last cache of a current processor holds for one program [B].
 constexpr double cache_bytes = 16 * 1024 * 1024;
