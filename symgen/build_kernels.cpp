@@ -511,13 +511,7 @@ long typical_fragment_flops(ElementGraph graph, const Split& split) {
     piece.roots = copy_into(piece.dag, derivatives.dag, selected(derivatives.product, rows));
     StageLog unread;
     piece = simplified(std::move(piece), unread);
-    const std::vector<bool> needed = piece.dag.reachable(piece.roots);
-    long flops = 0;
-    for (std::size_t i = 0; i < needed.size(); ++i) {
-      const NodeId id = static_cast<NodeId>(i);
-      if (needed[i] && piece.dag[id].stage > Stage::rest) flops += cost_of(piece.dag, id).flops();
-    }
-    largest = std::max(largest, flops);
+    largest = std::max(largest, flops_after_rest(piece));
   }
   return largest;
 }

@@ -66,6 +66,8 @@ class NumberPool {
   [[nodiscard]] NumberId multiply(NumberId a, NumberId b);
   [[nodiscard]] NumberId inverse(NumberId a);
   [[nodiscard]] NumberId negate(NumberId a) { return multiply(a, minus_one); }
+  /// The number without its sign.
+  [[nodiscard]] NumberId size(NumberId a) { return value(a) < 0 ? negate(a) : a; }
   [[nodiscard]] NumberId power(NumberId a, long exponent);
 
  private:

@@ -134,9 +134,7 @@ class Scheduler {
   }
 
   bool is_negative(NumberId factor) const { return dag_.numbers().value(factor) < 0; }
-  NumberId size_of(NumberId factor) const {
-    return is_negative(factor) ? dag_.numbers().negate(factor) : factor;
-  }
+  NumberId size_of(NumberId factor) const { return dag_.numbers().size(factor); }
 
   void emit(NodeId id) {
     const Node& node = dag_[id];

@@ -24,8 +24,7 @@ class Degrees {
   [[nodiscard]] std::optional<long> degree_of(const Node& node) const {
     if (node.kind == Kind::number || node.kind == Kind::symbol) return 0;
     std::optional<long> result;
-    if (node.kind == Kind::sum && node.value != NumberPool::zero) result = 0;
-    if (node.kind != Kind::sum) result = 0;
+    if (node.kind != Kind::sum || node.value != NumberPool::zero) result = 0;
     for (const Operand& operand : node.operands) {
       std::optional<long> part = degree_[operand.node];
       if (!part) return std::nullopt;
@@ -51,8 +50,7 @@ std::optional<NumberId> common_factor(const Dag& dag, std::span<const NodeId> no
   for (const NodeId id : nodes) {
     if (dag.is_zero(id)) continue;
     if (!is_scaled(dag[id])) return std::nullopt;
-    NumberId factor = dag[id].operands[0].factor;
-    if (dag.numbers().value(factor) < 0) factor = dag.numbers().negate(factor);
+    const NumberId factor = dag.numbers().size(dag[id].operands[0].factor);
     if (common && *common != factor) return std::nullopt;
     common = factor;
   }

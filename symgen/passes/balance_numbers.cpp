@@ -39,16 +39,6 @@ Graph with_multiples(const Graph& graph, const Multiples& multiples) {
   return result;
 }
 
-long multiplications_and_more(const Graph& graph) {
-  const std::vector<bool> needed = graph.dag.reachable(graph.roots);
-  long total = 0;
-  for (std::size_t i = 0; i < needed.size(); ++i) {
-    const NodeId id = static_cast<NodeId>(i);
-    if (needed[i] && graph.dag[id].stage > Stage::rest) total += cost_of(graph.dag, id).flops();
-  }
-  return total;
-}
-
 /// Factors known at rest of what is not.
 std::set<NodeId> candidates(const Graph& graph) {
   std::set<NodeId> result;
@@ -75,8 +65,7 @@ std::set<NumberId> sizes(const Graph& graph) {
       continue;
     }
     for (const Operand& operand : node.operands) {
-      const bool is_negative = numbers.value(operand.factor) < 0;
-      const NumberId size = is_negative ? numbers.negate(operand.factor) : operand.factor;
+      const NumberId size = numbers.size(operand.factor);
       if (size == NumberPool::one) continue;
       result.insert(size);
       result.insert(numbers.inverse(size));
@@ -89,7 +78,7 @@ std::set<NumberId> sizes(const Graph& graph) {
 
 Graph balance_numbers(const Graph& graph) {
   Multiples chosen;
-  long least = multiplications_and_more(graph);
+  long least = flops_after_rest(graph);
   const std::set<NodeId> nodes = candidates(graph);
   const std::set<NumberId> factors = sizes(graph);
   constexpr std::size_t most_trials = 64;  // of one round; more are of many unlike numbers
@@ -101,7 +90,7 @@ Graph balance_numbers(const Graph& graph) {
       for (const NumberId factor : factors) {
         Multiples trial = chosen;
         trial[node] = factor;
-        const long cost = multiplications_and_more(with_multiples(graph, trial));
+        const long cost = flops_after_rest(with_multiples(graph, trial));
         if (cost + 1 < least) {  // one more to compute the multiple
           least = cost + 1;
           best = std::move(trial);

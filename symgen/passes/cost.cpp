@@ -55,4 +55,14 @@ OperationCount cost_of(const Dag& dag, NodeId id) {
   return count;
 }
 
+long flops_after_rest(const Graph& graph) {
+  const std::vector<bool> needed = graph.dag.reachable(graph.roots);
+  long flops = 0;
+  for (std::size_t i = 0; i < needed.size(); ++i) {
+    const NodeId id = static_cast<NodeId>(i);
+    if (needed[i] && graph.dag[id].stage > Stage::rest) flops += cost_of(graph.dag, id).flops();
+  }
+  return flops;
+}
+
 }  // namespace elastogen::symgen

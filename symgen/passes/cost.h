@@ -26,4 +26,7 @@ struct OperationCount {
 
 [[nodiscard]] OperationCount cost_of(const Dag& dag, NodeId id);
 
+/// Flops of what the roots need beyond what is known at rest.
+[[nodiscard]] long flops_after_rest(const Graph& graph);
+
 }  // namespace elastogen::symgen

@@ -54,7 +54,7 @@ class Cutter {
   static constexpr int not_computed = -1, arguments = 0, functions = 1, rest = 2;
 
   bool is_given(NodeId id) const {
-    return inputs_[id] || dag_[id].stage <= Stage::material || dag_[id].kind == Kind::number;
+    return inputs_[id] || dag_[id].stage <= Stage::material;  // numbers among these
   }
 
   /// One operation on what is given.
