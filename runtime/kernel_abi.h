@@ -13,6 +13,11 @@
 //             shape [m^d]; n <= k < 2 n: positive shares of the volume for a diagonal mass, of node
 //             k - n [m^d] (in linear elements the nodal volumes); 2 n <= k < 2 n + num_points:
 //             Jacobian determinant at quadrature point k - 2 n
+//   stress    value[(g * 20 + k) * L + l], of quadrature point g, as tensors in space whatever d is:
+//             k < 9: displacement gradient H[i * 3 + j] = dU_i/dX_j (plane: last row and column 0);
+//             9 <= k < 18: first Piola-Kirchhoff stress P[i * 3 + j] = dW/dH_ij [Pa] (plane strain:
+//             with P_33); 18: energy density W [J/m^3]; 19: rest volume w_g det J that the point
+//             stands for [m^d]
 //   parameters value[k]                        uniform over the batch, in the law's order
 //
 // All arrays are aligned to 64 bytes. A batch that is not full repeats its last element in the
@@ -27,7 +32,7 @@
 
 namespace elastogen {
 
-inline constexpr std::uint32_t kernel_abi_version = 5;
+inline constexpr std::uint32_t kernel_abi_version = 6;
 
 /// Most lanes that a batch may have: one 64-byte vector, 8 doubles or 16 floats. A table has as
 /// many as the vectors that its kernels were compiled for, a power of 2; 1 for scalar kernels.
@@ -36,6 +41,9 @@ inline constexpr int most_lanes = static_cast<int>(64 / sizeof(Scalar));
 
 /// Most batches that a kernel computes in one call.
 inline constexpr int most_batches_at_once = 4;
+
+/// Numbers that the operation `stress` gives for each quadrature point.
+inline constexpr int stress_numbers = 20;
 
 /// Bits of the per-element status; 0 is a good result.
 enum KernelStatus : std::uint32_t {
@@ -52,6 +60,7 @@ enum KernelStatus : std::uint32_t {
 ///   linearize             reads as forces, writes state (to output)
 ///   apply                 reads positions*, parameters, constants, state, direction
 ///   stiffness             reads as forces
+///   stress                reads positions, parameters, displacement
 /// *: only where VariantTable::reads_positions says so.
 template <class Scalar>
 struct KernelArguments {
@@ -124,6 +133,16 @@ struct VariantTable {
   KernelFunction<Scalar> linearize;
   KernelFunction<Scalar> apply;
   KernelFunction<Scalar> stiffness;
+  KernelFunction<Scalar> stress = nullptr;
+};
+
+/// Shape functions at points of the reference element, for what is summed over points beside the
+/// kernels, such as projections onto nodes.
+struct ReferencePoints {
+  std::int32_t num_points = 0;
+  const double* weights = nullptr;    ///< [g], of the reference volume
+  const double* shapes = nullptr;     ///< [g * n + a]: Lambda_a
+  const double* gradients = nullptr;  ///< [(g * n + a) * d + k]: d Lambda_a / d xi_k
 };
 
 /// One association, as a compiled kernel library exports it.
@@ -144,6 +163,8 @@ struct KernelTable {
   NodalPassFunction<Scalar> nodal_pass;
   std::int32_t num_variants;  ///< the first is always "general"
   const VariantTable<Scalar>* variants;
+  ReferencePoints points;       ///< those of the quadrature, in its order
+  ReferencePoints rich_points;  ///< of a rule that is exact for products of two shape functions
 };
 
 }  // namespace elastogen

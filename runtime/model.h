@@ -13,6 +13,7 @@
 #include "runtime/element_status.h"
 #include "runtime/kernel_abi.h"
 #include "runtime/mesh.h"
+#include "runtime/stress.h"
 #include "runtime/tangent.h"
 #include "runtime/vector.h"
 
@@ -183,6 +184,11 @@ class Model {
 
   /// Energy of each element at u [J], in mesh order; resized where needed.
   void element_energies(const ConstVectorRef& u, std::vector<double>& energies);
+
+  /// Displacement gradient, stress, energy density and volume at every quadrature point at u; resized
+  /// where needed. Elements at rest (ModelOptions::held_nodes) are computed, too.
+  /// @throws InternalError  kernels without the operation `stress`
+  void stress(const ConstVectorRef& u, StressField& field);
 
   /// Rest volume of each element [m^dim], in mesh order.
   [[nodiscard]] std::span<const double> element_volumes() const;
