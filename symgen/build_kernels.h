@@ -10,7 +10,7 @@
 
 namespace elastogen::symgen {
 
-/// The stages after mechanics, in order. `graph` is the element's; it is copied.
+/// The stages after mechanics, in order. `graph` is the element's.
 /// @param log  gets a record of each stage
 [[nodiscard]] VariantKernels build_kernels(ElementGraph graph, Geometry geometry,
                                            const Split& split, const Profile& profile,

@@ -90,8 +90,6 @@ void check_association(const AssociationId& id, const Law& law) {
   }
 }
 
-std::string generator_fingerprint() { return ELASTOGEN_GENERATOR_FINGERPRINT; }
-
 std::string association_hash(const AssociationId& id, const Law& law,
                              const GenerateOptions& options) {
   const std::string chosen =

@@ -1,4 +1,4 @@
-// From GiNaC to the graph: the last file that sees GiNaC expressions.
+// From GiNaC to the graph.
 #pragma once
 
 #include <ginac/ginac.h>

@@ -12,7 +12,7 @@
 namespace elastogen::symgen {
 namespace {
 
-/// The hash follows every change of the generator's sources: it is not compared.
+/// The hash is of the law, the options and the version, not of the text: it is not compared.
 std::string without_hash(std::string text, const std::string& hash) {
   for (std::size_t at = text.find(hash); at != std::string::npos; at = text.find(hash)) {
     text.replace(at, hash.size(), "HASH");

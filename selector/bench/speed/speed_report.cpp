@@ -163,17 +163,18 @@ std::string speed_html(const SpeedResults& results) {
     const char* title;
     std::string charts;
   };
-  for (const auto& [benchmark, title, charts] :
+  for (const Section& section :
        {Section{"kernels", "Kernels, operands in cache", rooflines(results, "kernels")},
         Section{"operators", "Operators: gather, kernel, addition",
                 rooflines(results, "operators")},
         Section{"scaling", "By size, order and threads", scaling_charts(results)},
         Section{"peers", "Beside other programs: ratios of their time to ours", ""}}) {
-    const bool is_there =
-        std::any_of(results.records.begin(), results.records.end(),
-                    [&](const SpeedRecord& record) { return record.benchmark == benchmark; });
+    const bool is_there = std::any_of(
+        results.records.begin(), results.records.end(),
+        [&](const SpeedRecord& record) { return record.benchmark == section.benchmark; });
     if (is_there) {
-      text += fmt::format("<h2>{}</h2>\n{}{}", title, charts, html_table(results, benchmark));
+      text += fmt::format("<h2>{}</h2>\n{}{}", section.title, section.charts,
+                          html_table(results, section.benchmark));
     }
   }
   return text + "</body></html>\n";
