@@ -301,12 +301,16 @@ TEST(Status, EveryOperationReportsTheDomain) {
   const AssociationId id = AssociationId::parse("linlog-hexa8-q8-none");
   const ElementCase sample = sample_case(id, law_named("linlog"), {});
   const std::size_t dofs = sample.rest_positions.size();
-  AlignedVector<double> positions, displacement, direction(dofs * 8, 1.0), constants(512 * 8);
+  const auto lanes = static_cast<std::size_t>(table.lanes);
+  AlignedVector<double> positions, displacement, direction(dofs * lanes, 1.0);
+  AlignedVector<double> constants(static_cast<std::size_t>(variant.num_constants) * lanes);
+  AlignedVector<double> state(static_cast<std::size_t>(variant.num_state) * lanes);
   for (std::size_t k = 0; k < dofs; ++k) {
-    positions.insert(positions.end(), 8, sample.rest_positions[k]);
-    displacement.insert(displacement.end(), 8, k % 3 == 0 ? -2 * sample.rest_positions[k] : 0.0);
+    positions.insert(positions.end(), lanes, sample.rest_positions[k]);
+    displacement.insert(displacement.end(), lanes,
+                        k % 3 == 0 ? -2 * sample.rest_positions[k] : 0.0);
   }
-  AlignedVector<double> output(dofs * dofs * 8);
+  AlignedVector<double> output(dofs * dofs * lanes);
   KernelArguments<double> arguments;
   arguments.positions = positions.data();
   arguments.parameters = sample.parameters.data();
@@ -315,14 +319,17 @@ TEST(Status, EveryOperationReportsTheDomain) {
   arguments.direction = direction.data();
   arguments.output = constants.data();
   variant.constants(&arguments, 1);
-  arguments.output = output.data();
-  for (const auto kernel :
-       {variant.energy, variant.forces, variant.product, variant.linearize, variant.stiffness}) {
-    std::array<std::uint32_t, 8> status{};
+  const auto expect_outside = [&](KernelFunction<double> kernel, double* into) {
+    std::vector<std::uint32_t> status(lanes, status_ok);
     arguments.status = status.data();
+    arguments.output = into;
     kernel(&arguments, 1);
-    EXPECT_NE(status[0] & status_outside_domain, 0U);
+    for (const std::uint32_t bits : status) EXPECT_NE(bits & status_outside_domain, 0U);
+  };
+  for (const auto kernel : {variant.energy, variant.forces, variant.product, variant.stiffness}) {
+    expect_outside(kernel, output.data());
   }
+  expect_outside(variant.linearize, state.data());
 }
 
 std::vector<std::string> all_tested() {

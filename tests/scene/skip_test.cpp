@@ -56,7 +56,9 @@ TEST_P(RestingElements, ChangeNothing) {
   const nlohmann::json whole = run_with(scene, "at_rest = false");
   EXPECT_EQ(skipping["skipped"]["elements_at_rest"], 16);
   EXPECT_EQ(whole["skipped"]["elements_at_rest"], 0);
-  EXPECT_EQ(skipping["solver"]["newton_iterations"], whole["solver"]["newton_iterations"]);
+  // What is left out sums to zeros. Sums in another order may need a last iteration more or less.
+  EXPECT_NEAR(skipping["solver"]["newton_iterations"].get<int>(),
+              whole["solver"]["newton_iterations"].get<int>(), 1);
   for (int c = 0; c < 3; ++c) {
     EXPECT_NEAR(skipping["tip_displacement"][c], whole["tip_displacement"][c], 1e-9) << c;
     EXPECT_NEAR(skipping["probes"][0]["reaction"][c], whole["probes"][0]["reaction"][c], 1e-3);
@@ -109,7 +111,11 @@ TEST_F(Skip, SleepingRegionsKeepTheirForcesUntilTheWaveComes) {
   EXPECT_GT(kept, 0.1 * all);
   EXPECT_LT(kept, 0.9 * all);
   EXPECT_NE(output_.find("forces of sleeping elements"), std::string::npos) << output_;
-  EXPECT_EQ(asleep["motion"]["critical_step"], awake["motion"]["critical_step"]);
+  // By power iteration on differences of forces over 1e-6 of an element: the forces' rounding is
+  // some 1e-10 of what they differ by, and how it falls depends on the order of summation, which
+  // follows from the width of vectors.
+  const double step = awake["motion"]["critical_step"];
+  EXPECT_NEAR(asleep["motion"]["critical_step"].get<double>(), step, 1e-9 * step);
   const double moved = awake["probes"][0]["displacement"][1];
   EXPECT_GT(std::abs(moved), 1e-3);
   EXPECT_NEAR(asleep["probes"][0]["displacement"][1], moved, 1e-6);

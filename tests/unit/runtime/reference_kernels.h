@@ -302,7 +302,9 @@ struct ReferenceKernels {
             &kernel::nodal_pass<std::conditional_t<Lanes == 1, double, kernel::Pack<double, Lanes>>,
                                 n, 3>,
             with_box ? 2 : 1,
-            variants};
+            variants,
+            {},
+            {}};
   }
 };
 

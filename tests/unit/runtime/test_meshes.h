@@ -28,7 +28,7 @@ inline Mesh bar_mesh(const std::string& element, std::array<int, 3> cells,
                      std::array<double, 3> lengths) {
   Mesh mesh;
   mesh.region_names = {"bar"};
-  const auto [nx, ny, nz] = cells;
+  const int nx = cells[0], ny = cells[1], nz = cells[2];
   for (int i = 0; i <= nx; ++i) {
     for (int j = 0; j <= ny; ++j) {
       for (int k = 0; k <= nz; ++k) {
