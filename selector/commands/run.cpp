@@ -18,6 +18,7 @@
 #include "selector/scene/summary.h"
 #include "selector/scene/write_results.h"
 #include "selector/support/files.h"
+#include "selector/support/temporary_file.h"
 
 namespace elastogen::selector {
 namespace {
@@ -259,6 +260,8 @@ int run(const RunOptions& options, const Context& context) {
   Recorder recorder(scene, problem, model, summary.folder, intervals_of(scene.output, num_steps),
                     run_fingerprint(scene, problem, kernels.of_block,
                                     make_load(scene, problem, model), time_step));
+  remove_left_temporaries(summary.folder);
+  remove_left_temporaries(summary.folder / "series");
   if (start) {
     check_fingerprint(recorder.fingerprint(), *start, summary.folder);
     summary.resumed_from = start->position(time_step);

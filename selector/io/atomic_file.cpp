@@ -8,23 +8,13 @@
 #include <system_error>
 
 #include "runtime/error.h"
+#include "selector/support/temporary_file.h"
 
 namespace elastogen::selector {
-namespace {
-
-/// ".NAME.PID.EXT" beside the file: hidden, apart from those of other processes, and on the same
-/// file system, as renaming needs.
-std::filesystem::path temporary_beside(const std::filesystem::path& path) {
-  const std::string name =
-      fmt::format(".{}.{}{}", path.stem().string(), ::getpid(), path.extension().string());
-  return path.parent_path() / name;
-}
-
-}  // namespace
-
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& temporary)>& write) {
-  const std::filesystem::path temporary = temporary_beside(path);
+  const std::filesystem::path temporary =
+      temporary_beside(path, path.stem().string(), path.extension().string().substr(1));
   std::error_code error;
   try {
     write(temporary);

@@ -10,8 +10,10 @@ namespace elastogen::selector {
 /// Lets `write` fill a temporary file beside `path`, then renames it to `path`: a reader, or a kill
 /// at any moment, never sees half a file.
 ///
+/// @param path   has an extension
 /// @param write  gets the temporary file's name, which has the same extension as `path`; it may
-///               throw, then nothing is left behind
+///               throw, then nothing is left behind. After a kill `remove_left_temporaries`
+///               (selector/support/temporary_file.h) tidies up
 /// @throws WorkError  when the file cannot be written
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& temporary)>& write);

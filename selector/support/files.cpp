@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "runtime/error.h"
+#include "selector/support/temporary_file.h"
 
 namespace elastogen::selector {
 namespace fs = std::filesystem;
@@ -42,7 +43,7 @@ void write_text_file(const fs::path& file, std::string_view text) {
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
   if (error) fail(error.message());
 
-  std::string temporary = file.string() + ".XXXXXX";
+  std::string temporary = temporary_beside(file, file.filename().string(), "XXXXXX").string();
   const int descriptor = mkostemp(temporary.data(), O_CLOEXEC);
   if (descriptor < 0) fail(std::strerror(errno));
   const auto discard = [&](const std::string& reason) {

@@ -11,7 +11,7 @@ namespace elastogen::selector {
 /// @throws InputError  when it cannot be read
 [[nodiscard]] std::string read_text_file(const std::filesystem::path& file, std::string_view what);
 
-/// Writes beside the file and renames; folders are made as needed.
+/// Writes beside the file (temporary_file.h) and renames; folders are made as needed.
 /// @throws WorkError  when it cannot be written (full, read-only ...)
 void write_text_file(const std::filesystem::path& file, std::string_view text);
 

@@ -156,6 +156,10 @@ TEST_F(Steps, KilledAnywhereAndResumedGivesTheSameFiles) {
     }
   }
   EXPECT_GT(kills, 1);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(out())) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_FALSE(name.starts_with('.')) << name << " of a killed run is left";
+  }
   EXPECT_GT(summary()["resumed_from"]["step"], 0);
   const auto found = results();
   ASSERT_EQ(found.size(), expected.size());

@@ -1,7 +1,15 @@
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <set>
 
 #include "runtime/error.h"
 #include "selector/support/files.h"
+#include "selector/support/process.h"
+#include "selector/support/temporary_file.h"
 #include "temporary_folder.h"
 
 namespace elastogen::selector {
@@ -33,6 +41,61 @@ TEST(Files, FailsWhereAFileStandsInTheWay) {
   const TemporaryFolder folder;
   write_text_file(folder.path() / "file", "");
   EXPECT_THROW(write_text_file(folder.path() / "file" / "below", ""), WorkError);
+}
+
+std::set<std::string> names_in(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    names.insert(entry.path().filename().string());
+  }
+  return names;
+}
+
+TEST(RemoveLeftTemporaries, TakesThoseOfProcessesThatAreGone) {
+  const TemporaryFolder folder;
+  const std::string gone = [] {
+    const std::string printed = run_process({"sh", "-c", "echo $$"}).output;
+    return printed.substr(0, printed.find('\n'));
+  }();
+  const std::string living = std::to_string(getpid()), parent = std::to_string(getppid());
+  std::set<std::string> kept = {"deformed.png",
+                                ".deformed.png",
+                                "deformed." + gone + ".png",
+                                ".notes." + gone + ".txt",
+                                "." + gone + ".png",
+                                ".deformed.0.png",
+                                ".deformed.-" + gone + ".png",
+                                ".deformed." + gone + "x.png",
+                                ".deformed." + living + ".png",
+                                ".summary.json." + parent + ".aB3dE9",
+                                ".folder." + gone + ".png"};
+  fs::create_directory(folder.path() / (".folder." + gone + ".png"));
+  std::set<std::string> all = kept;
+  all.insert({".deformed." + gone + ".png", ".deformed." + gone + ".gnuplot",
+              ".summary.json." + gone + ".aB3dE9"});
+  for (const std::string& name : all) {
+    if (!fs::exists(folder.path() / name)) std::ofstream(folder.path() / name) << "text";
+  }
+  ASSERT_EQ(names_in(folder.path()), all);
+  remove_left_temporaries(folder.path());
+  EXPECT_EQ(names_in(folder.path()), kept);
+  remove_left_temporaries(folder.path() / "nowhere");
+}
+
+/// What a process leaves that is killed while it writes is what is removed.
+TEST(RemoveLeftTemporaries, KnowsWhatAKilledProcessLeaves) {
+  const TemporaryFolder folder;
+  for (const auto& [file, ending] : {std::pair{"deformed.png", "png"}, {"a.vtu", "aB3dE9"}}) {
+    const pid_t child = fork();
+    if (child == 0) {
+      std::ofstream(temporary_beside(folder.path() / file, file, ending)) << "half" << std::flush;
+      raise(SIGKILL);
+    }
+    EXPECT_EQ(waitpid(child, nullptr, 0), child);
+    EXPECT_EQ(names_in(folder.path()).size(), 1U);
+    remove_left_temporaries(folder.path());
+    EXPECT_EQ(names_in(folder.path()).size(), 0U);
+  }
 }
 
 }  // namespace
