@@ -1,5 +1,5 @@
 # elastogen_add_kernels(TARGET ASSOCIATIONS id... [LAWS folder...] [PROFILE name]
-#                       [INSTRUCTION_SETS set...])
+#                       [PRECISIONS double|float...] [INSTRUCTION_SETS set...])
 #
 # Makes TARGET, a static library of generated kernels:
 #
@@ -12,8 +12,9 @@
 # association depend on the generator and on the file of its law alone: editing a law rebuilds
 # exactly its kernels, and editing a comment in it rebuilds none.
 #
-# Kernels are compiled once for each of INSTRUCTION_SETS; the functions return the tables of the best
-# that the processor has. Not given: ELASTOGEN_KERNEL_INSTRUCTION_SETS.
+# Kernels are compiled in PRECISIONS (not given: both), once for each of INSTRUCTION_SETS; the
+# functions return the tables of the best that the processor has. Not given:
+# ELASTOGEN_KERNEL_INSTRUCTION_SETS. With `native` alone there is no choice.
 #
 # The generator is ELASTOGEN_EXECUTABLE where set, else the target elastogen::elastogen, else the
 # program in PATH. Shipped laws are those beside the folder that this file stands in, in the source
@@ -111,36 +112,41 @@ endfunction()
 # target's include folders, is compiled once for each instruction set. All objects are of one target,
 # so that what a project asks of it (position-independent code, say) holds for them.
 function(_elastogen_kernel_library target)
-  cmake_parse_arguments(ARG "" "" "ASSOCIATIONS;INSTRUCTION_SETS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "ASSOCIATIONS;PRECISIONS;INSTRUCTION_SETS" ${ARGN})
   if("${ELASTOGEN_KERNEL_FLAGS}" MATCHES "-march=")
     message(FATAL_ERROR "ELASTOGEN_KERNEL_FLAGS = '${ELASTOGEN_KERNEL_FLAGS}': leave -march out; "
       "kernels are compiled for ELASTOGEN_KERNEL_INSTRUCTION_SETS, of which native is -march=native")
   endif()
   _elastogen_order_instruction_sets(sets ${ARG_INSTRUCTION_SETS})
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/${target}/builds")
-  set(scalar_of_f64 double)
-  set(scalar_of_f32 float)
+  set(suffix_of_double f64)
+  set(suffix_of_float f32)
   set(sources "")
   foreach(association IN LISTS ARG_ASSOCIATIONS)
     string(REPLACE "-" "_" identifier ${association})
-    foreach(precision IN ITEMS f64 f32)
-      set(name ${identifier}_${precision})
+    foreach(scalar IN LISTS ARG_PRECISIONS)
+      set(name ${identifier}_${suffix_of_${scalar}})
       foreach(set IN LISTS sets)
         _elastogen_instruction_set_options(options ${set})
         set(source "${folder}/${name}_${set}.cpp")
+        set(define_set "#define ELASTOGEN_INSTRUCTION_SET ${set}\n")
+        if(set STREQUAL "native")  # the only build: its functions are those that users call
+          set(define_set "")
+        endif()
         file(CONFIGURE OUTPUT "${source}" CONTENT
 "// Written by elastogen's CMake: kernels of ${association}, compiled for ${set}.
-#define ELASTOGEN_INSTRUCTION_SET ${set}
-#include \"${name}.cpp\"
+${define_set}#include \"${name}.cpp\"
 " @ONLY)
         set_source_files_properties("${source}" PROPERTIES
           COMPILE_OPTIONS "${ELASTOGEN_KERNEL_FLAGS};${options}")
         list(APPEND sources "${source}")
       endforeach()
-      set(source "${folder}/${name}_selection.cpp")
-      _elastogen_write_selection("${source}" ${association} elastogen_kernels_${name}_simd
-        ${scalar_of_${precision}} ${sets})
-      list(APPEND sources "${source}")
+      if(NOT sets STREQUAL "native")
+        set(source "${folder}/${name}_selection.cpp")
+        _elastogen_write_selection("${source}" ${association} elastogen_kernels_${name}_simd
+          ${scalar} ${sets})
+        list(APPEND sources "${source}")
+      endif()
     endforeach()
   endforeach()
   add_library(${target} STATIC ${sources})
@@ -180,12 +186,21 @@ function(_elastogen_find_law variable law)
 endfunction()
 
 function(elastogen_add_kernels target)
-  cmake_parse_arguments(ARG "" "PROFILE" "ASSOCIATIONS;LAWS;INSTRUCTION_SETS" ${ARGN})
+  cmake_parse_arguments(ARG "" "PROFILE" "ASSOCIATIONS;LAWS;PRECISIONS;INSTRUCTION_SETS" ${ARGN})
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "elastogen_add_kernels: unknown argument '${ARG_UNPARSED_ARGUMENTS}'; "
       "the call is elastogen_add_kernels(TARGET ASSOCIATIONS id... [LAWS folder...] "
-      "[PROFILE name] [INSTRUCTION_SETS set...])")
+      "[PROFILE name] [PRECISIONS double|float...] [INSTRUCTION_SETS set...])")
   endif()
+  if(NOT ARG_PRECISIONS)
+    set(ARG_PRECISIONS double float)
+  endif()
+  foreach(precision IN LISTS ARG_PRECISIONS)
+    if(NOT precision MATCHES "^(double|float)$")
+      message(FATAL_ERROR "elastogen_add_kernels(${target}): PRECISIONS '${precision}' is none that "
+        "kernels can be compiled in; give double, float or both")
+    endif()
+  endforeach()
   if(NOT ARG_INSTRUCTION_SETS)
     set(ARG_INSTRUCTION_SETS ${ELASTOGEN_KERNEL_INSTRUCTION_SETS})
   endif()
@@ -232,7 +247,7 @@ function(elastogen_add_kernels target)
   endforeach()
 
   _elastogen_kernel_library(${target} ASSOCIATIONS ${ARG_ASSOCIATIONS}
-    INSTRUCTION_SETS ${ARG_INSTRUCTION_SETS})
+    PRECISIONS ${ARG_PRECISIONS} INSTRUCTION_SETS ${ARG_INSTRUCTION_SETS})
   target_sources(${target} PRIVATE ${sources})
   target_include_directories(${target} PUBLIC ${include_folders})
 endfunction()

@@ -6,8 +6,10 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <sstream>
 
+#include "runtime/kernel_selection.h"
 #include "selector/support/files.h"
 #include "selector/support/names.h"
 #include "selector/support/process.h"
@@ -16,9 +18,23 @@ namespace elastogen::selector {
 namespace fs = std::filesystem;
 namespace {
 
+/// The instruction set that kernels are compiled for: that of this processor, or the one in the
+/// environment, for results like those of a machine that has no more.
+std::string architecture() {
+  const char* const variable = std::getenv(instruction_set_variable);
+  const std::string wanted = variable != nullptr ? variable : "";
+  std::vector<std::string> sets = {"native"};
+  std::map<std::string, std::string> names = {{"native", "native"}};
+#if defined(__x86_64__)
+  sets = {"x86_64", "avx2", "avx512", "native"};
+  names.insert({{"x86_64", "x86-64"}, {"avx2", "x86-64-v3"}, {"avx512", "x86-64-v4"}});
+#endif
+  return names.at(choose_instruction_set("what is run", sets, wanted, processor_supports));
+}
+
 std::vector<std::string> kernel_flags(bool clang) {
   std::vector<std::string> flags = {
-      "-std=c++20", "-O3", "-march=native", "-ffp-contract=fast", "-fno-math-errno",
+      "-std=c++20", "-O3", "-march=" + architecture(), "-ffp-contract=fast", "-fno-math-errno",
       // Kernels report what is not finite, so no -ffast-math; but nobody reads the trap flags.
       "-fno-trapping-math", "-Wno-psabi", "-shared", "-fPIC",
       // Each library calls its own functions, whatever else is loaded.

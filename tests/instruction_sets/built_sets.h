@@ -16,6 +16,9 @@ inline std::vector<std::string> built_sets() {
   return sets;
 }
 
+/// Whether there are functions that choose a set: not where kernels are `native` alone.
+inline bool is_chosen() { return built_sets() != std::vector<std::string>{"native"}; }
+
 inline std::vector<std::string> supported_sets() {
   std::vector<std::string> sets = built_sets();
   std::erase_if(sets, [](const std::string& set) { return !processor_supports(set); });

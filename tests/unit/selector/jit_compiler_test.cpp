@@ -41,6 +41,33 @@ TEST(FindCompiler, TakesCxxWithArgumentsAndPathsWithSpaces) {
   EXPECT_EQ(find_compiler().command, (std::vector<std::string>{"env", "c++"}));
 }
 
+/// The options that choose instructions.
+std::vector<std::string> architectures(const Compiler& compiler) {
+  std::vector<std::string> found;
+  for (const std::string& flag : compiler.flags) {
+    if (flag.starts_with("-march=")) found.push_back(flag);
+  }
+  return found;
+}
+
+TEST(FindCompiler, CompilesForThisProcessorOrForTheSetInTheEnvironment) {
+  using Options = std::vector<std::string>;
+  {
+    const EnvironmentVariable unset("ELASTOGEN_INSTRUCTION_SET", std::nullopt);
+    EXPECT_EQ(architectures(find_compiler()), Options{"-march=native"});
+  }
+#if defined(__x86_64__)
+  {
+    const EnvironmentVariable baseline("ELASTOGEN_INSTRUCTION_SET", "x86_64");
+    EXPECT_EQ(architectures(find_compiler()), Options{"-march=x86-64"});
+  }
+#endif
+  const EnvironmentVariable unknown("ELASTOGEN_INSTRUCTION_SET", "sse9");
+  const std::string message = message_of<InputError>([] { (void)find_compiler(); });
+  expect_contains(message, "ELASTOGEN_INSTRUCTION_SET = 'sse9'");
+  expect_contains(message, "here it may be ");
+}
+
 class Compilation : public ::testing::Test {
  protected:
   void compile(const std::string& text) {
