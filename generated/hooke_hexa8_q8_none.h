@@ -19,7 +19,7 @@
 // general  product              1396         80      0         832      192          1
 // general  linearize               0          0      0           0        0          1
 // general  apply                1396         80      0         832      192          1
-// general  stress               1476          0      0         384      160          1
+// general  stress               1476          0      0         384     1280          1
 // general  stiffness           33504          0      0           0     4608          1
 // box      constants               8          4      0          48       32          1
 // box      geometry               29          0      0          48      192          1

@@ -19,7 +19,7 @@
 // general  product              3666         80      0        1024      192          1
 // general  linearize             990         80    120         832      960          1
 // general  apply                2748         80    120        1792      192          1
-// general  stress               2132          0      0         384      160          1
+// general  stress               2132          0      0         384     1280          1
 // general  stiffness           66942         80    120         832     4608          1
 // box      constants              11          4      0         192       32          1
 // box      geometry               29          0      0          48      192          1
@@ -28,7 +28,7 @@
 // box      product              3034          4      0         416      192          1
 // box      linearize             838          4    120         224      960          1
 // box      apply                2308          4    120        1184      192          1
-// box      stress               1596          0      0         384      160          1
+// box      stress               1596          0      0         384     1280          1
 // box      stiffness           56230          4    120         224     4608          1
 #pragma once
 

@@ -19,7 +19,7 @@ std::vector<std::vector<std::size_t>> point_parts(std::size_t num_points, const 
 }
 
 Piece piece_of(Dag& target, const StressGraph& graph, const std::vector<std::size_t>& points,
-               StageLog& log) {
+               StageLog& of_passes) {
   std::vector<NodeId> roots;
   std::vector<int> outputs;
   for (const std::size_t g : points) {
@@ -34,7 +34,7 @@ Piece piece_of(Dag& target, const StressGraph& graph, const std::vector<std::siz
   Graph piece{Dag(graph.dag.number_pool()), {}};
   piece.roots = copy_into(piece.dag, graph.dag, roots);
   // Nothing of it is stored, so what is known at rest is part of the computation.
-  piece = simplified(std::move(piece), Stage::material, log);
+  piece = simplified(std::move(piece), Stage::material, of_passes);
   roots = copy_into(target, piece.dag, piece.roots);
   const auto first_margin = roots.begin() + static_cast<std::ptrdiff_t>(outputs.size());
   return {{roots.begin(), first_margin}, std::move(outputs), {first_margin, roots.end()}};
@@ -70,16 +70,16 @@ OperationKernels weights_of(Dag& dag, const std::vector<NumberId>& weights) {
 
 void add_stress(VariantKernels& kernels, const StressGraph& graph, const Split& split,
                 StageLog& log) {
-  log.end("stress_graph", graph.dag.size());
+  StageLog of_passes;  // one record for all
   const auto num_points = static_cast<int>(graph.points.size());
   OperationKernels stress{"stress", num_points * stress_numbers, {}, {}};
   for (const std::vector<std::size_t>& points : point_parts(graph.points.size(), split)) {
-    stress.pieces.push_back(piece_of(kernels.dag, graph, points, log));
+    stress.pieces.push_back(piece_of(kernels.dag, graph, points, of_passes));
   }
   schedule(stress, kernels.dag, inputs_of(kernels.dag, graph), false);
   kernels.operations.push_back(std::move(stress));
   if (kernels.loop) kernels.loop->point_weights = weights_of(kernels.dag, kernels.loop->weights);
-  log.end("kernel_ast", kernels.dag.size());
+  log.end("stress", kernels.dag.size());
 }
 
 }  // namespace elastogen::symgen

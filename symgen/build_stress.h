@@ -13,6 +13,7 @@ namespace elastogen::symgen {
 /// results only, once for many forces. Of a split it takes `g`, one fragment for each
 /// point; law terms add up in every number, and there are no rows by node.
 /// @param graph  of the element or, where the kernels are loops, of one point; in their numbers
+/// @param log    gets one record, `stress`
 void add_stress(VariantKernels& kernels, const StressGraph& graph, const Split& split,
                 StageLog& log);
 

@@ -145,7 +145,9 @@ struct Evaluation {
   std::string energy;
   std::vector<std::string> forces, product;  ///< [a * dim + i]; product empty without a direction
   std::vector<std::string> stiffness;        ///< [(a * dim + i) * N + b * dim + j]
-  std::string status;                        ///< "ok" or what is wrong
+  std::vector<std::string> stress;           ///< [g * stress_numbers + k] of runtime/kernel_abi.h
+  std::vector<std::vector<std::string>> cauchy;  ///< [g][i * 3 + j]; of none where det F = 0
+  std::string status;                            ///< "ok" or what is wrong
 };
 
 /// Inputs of one element: [a * dim + i]; `direction` may be empty.
@@ -153,13 +155,13 @@ struct ElementCase {
   std::vector<double> rest_positions, parameters, displacement, direction;
 };
 
-/// What walks which graph: double the one that `options` choose, after all passes; CLN, with 100
-/// digits and 40 shown, the textbook form before all passes (derived as `options` say), or the
-/// thesis's polynomials with every
-/// monomial written out (affine elements with laws polynomial in H).
+/// What is walked: double the statements that are printed, as `options` choose them; CLN, with 100
+/// digits and 40 shown, the graph of the textbook form before all passes (derived as `options`
+/// say), or that of the thesis's polynomials with every monomial written out, which have no stress
+/// (affine elements with laws polynomial in H).
 enum class GraphScalar { dag_double, cln, cln_expanded };
 
-/// Walks the expression graph without compiling anything.
+/// Walks statements or graphs without compiling anything.
 [[nodiscard]] Evaluation evaluate_graph(const AssociationId& id, const Law& law,
                                         const ElementCase& input, GraphScalar scalar,
                                         const GenerateOptions& options = {});

@@ -65,7 +65,8 @@ int VariantKernels::num_outputs(const OperationKernels& operation) const {
   if (!loop) return operation.num_outputs;
   if (is_nodal(operation.name)) return num_nodes * dim;
   if (operation.name == "constants") return num_stored_constants();
-  return operation.name == "linearize" ? num_stored_state() : operation.num_outputs;
+  if (operation.name == "linearize") return num_stored_state();
+  return operation.num_outputs * (operation.name == "stress" ? num_points : 1);
 }
 
 int VariantKernels::num_constant_sets() const { return loop && !loop->is_affine ? num_points : 1; }
