@@ -1,32 +1,16 @@
-// One element's operations by walking graphs, on any arithmetic; exactly, again and again.
+// One element's operations by numbers, on any arithmetic; exactly, again and again.
 #pragma once
 
 #include <cln/cln.h>
 
 #include <memory>
-#include <string>
 #include <vector>
 
+#include "runtime/kernel_abi.h"
 #include "symgen/dag/evaluate.h"
 #include "symgen/pipeline.h"
-#include "symgen/variant_kernels.h"
 
 namespace elastogen::symgen {
-
-/// Inputs of one element's graph, in the order of ElementCase.
-struct ElementInputs {
-  std::vector<NodeId> positions, parameters, displacement, direction;
-};
-
-/// Names of a graph's inputs, by which they are found in graphs that are made from it.
-class InputNames {
- public:
-  explicit InputNames(const ElementGraph& graph);
-  [[nodiscard]] ElementInputs in(Dag& dag) const;
-
- private:
-  std::vector<std::string> positions_, parameters_, displacement_, direction_;
-};
 
 /// Results of one element; indices as in Evaluation.
 template <class Number>
@@ -34,64 +18,56 @@ struct ElementResults {
   Number energy;
   std::vector<Number> forces, product;  ///< product empty without a direction
   std::vector<Number> stiffness;        ///< empty unless asked for
-  bool inside_domain = true;            ///< all margins of the law's domain are positive
+  std::vector<Number> stress;
+  bool inside_domain = true;  ///< all margins of the law's domain are positive
 };
 
-/// @param from_double  of the arithmetic
-/// @throws OutsideDomain  from exact arithmetic
-template <class Arithmetic, class FromDouble>
-[[nodiscard]] ElementResults<typename Arithmetic::Number> evaluate_element(
-    const VariantKernels& kernels, const ElementInputs& inputs, const ElementCase& values,
-    const Arithmetic& arithmetic, const FromDouble& from_double, bool with_stiffness) {
+/// Cauchy stress of every point [Pa], as [g][i * 3 + j], from what the operation `stress` gives:
+/// sigma = P F^T / det F with F = I + H; P itself where the law is for small strain. None, an empty
+/// list, where det F = 0.
+template <class Arithmetic>
+[[nodiscard]] std::vector<std::vector<typename Arithmetic::Number>> cauchy_stress(
+    const std::vector<typename Arithmetic::Number>& stress, bool small_strain,
+    const Arithmetic& arithmetic) {
   using Number = typename Arithmetic::Number;
-  std::vector<Number> value_of(kernels.dag.size());
-  const auto set = [&](const std::vector<NodeId>& nodes, const std::vector<double>& numbers) {
-    for (std::size_t i = 0; i < nodes.size(); ++i) value_of[nodes[i]] = from_double(numbers[i]);
-  };
-  set(inputs.positions, values.rest_positions);
-  set(inputs.parameters, values.parameters);
-  set(inputs.displacement, values.displacement);
-  const auto add_up = [&](const std::string& name) {
-    const OperationKernels& operation = kernels.operation(name);
-    std::vector<NodeId> roots;
-    std::vector<int> outputs;
-    for (const Piece& piece : operation.pieces) {
-      roots.insert(roots.end(), piece.roots.begin(), piece.roots.end());
-      outputs.insert(outputs.end(), piece.outputs.begin(), piece.outputs.end());
+  const Number zero = arithmetic.from_exact(ExactNumber(0));
+  const Number one = arithmetic.from_exact(ExactNumber(1));
+  const Number minus_one = arithmetic.from_exact(ExactNumber(-1));
+  std::vector<std::vector<Number>> cauchy;
+  for (std::size_t first = 0; first < stress.size(); first += stress_numbers) {
+    std::vector<Number>& sigma = cauchy.emplace_back();
+    const auto first_piola = [&](std::size_t i, std::size_t j) {
+      return stress[first + 9 + i * 3 + j];
+    };
+    const auto deformation = [&](std::size_t i, std::size_t j) {
+      const Number& entry = stress[first + i * 3 + j];
+      return i == j ? arithmetic.add(one, entry) : entry;
+    };
+    Number determinant = zero;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::size_t k = (j + 1) % 3, l = (j + 2) % 3;
+      const Number minor =
+          arithmetic.add(arithmetic.multiply(deformation(1, k), deformation(2, l)),
+                         arithmetic.multiply(
+                             minus_one, arithmetic.multiply(deformation(1, l), deformation(2, k))));
+      determinant = arithmetic.add(determinant, arithmetic.multiply(deformation(0, j), minor));
     }
-    const std::vector<Number> values_of_roots = evaluate<Arithmetic>(
-        kernels.dag, roots, arithmetic, [&](NodeId id) { return value_of[id]; });
-    std::vector<Number> total(operation.num_outputs, from_double(0.0));
-    for (std::size_t k = 0; k < roots.size(); ++k) {
-      total[outputs[k]] = arithmetic.add(total[outputs[k]], values_of_roots[k]);
-    }
-    return total;
-  };
-  ElementResults<Number> result;
-  result.energy = add_up("energy")[0];
-  result.forces = add_up("forces");
-  if (!values.direction.empty()) {
-    set(inputs.direction, values.direction);
-    result.product = add_up("product");
-  }
-  const std::size_t num_dofs = with_stiffness ? inputs.direction.size() : 0;
-  result.stiffness.resize(num_dofs * num_dofs);
-  for (std::size_t j = 0; j < num_dofs; ++j) {
-    std::vector<double> unit(num_dofs, 0.0);
-    unit[j] = 1.0;
-    set(inputs.direction, unit);
-    const std::vector<Number> column = add_up("product");
-    for (std::size_t i = 0; i < num_dofs; ++i) {
-      result.stiffness[i * num_dofs + j] = arithmetic.multiply(from_double(-1.0), column[i]);
+    if (!small_strain && determinant == zero) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        if (small_strain) {
+          sigma.push_back(first_piola(i, j));
+          continue;
+        }
+        Number sum = zero;
+        for (std::size_t k = 0; k < 3; ++k) {
+          sum = arithmetic.add(sum, arithmetic.multiply(first_piola(i, k), deformation(j, k)));
+        }
+        sigma.push_back(arithmetic.multiply(sum, arithmetic.power(determinant, cln::cl_RA(-1))));
+      }
     }
   }
-  for (const Piece& piece : kernels.operation("energy").pieces) {
-    for (const Number& margin : evaluate<Arithmetic>(kernels.dag, piece.margins, arithmetic,
-                                                     [&](NodeId id) { return value_of[id]; })) {
-      if (!(margin > from_double(0.0))) result.inside_domain = false;
-    }
-  }
-  return result;
+  return cauchy;
 }
 
 /// The exact element of an association: the textbook form of its law, before all passes, walked in

@@ -14,6 +14,8 @@
 //     -> grouped constants, state     symgen/passes/extract_grouped_constants
 //     -> statements in order          symgen/emit/kernel_ast
 //     -> steps around functions       symgen/passes/cut_at_functions (C++ only)
+//     -> beside them: stress        symgen/mechanics/stress_graph, symgen/build_stress
+//                                   (nothing stored; the other operations stay as they are)
 //     -> C++ text, OpenCL C text      symgen/emit/print_cpp, print_opencl (both of the same
 //                                     statements, by the walk of operation_printer)
 //
@@ -63,8 +65,9 @@ struct GenerateOptions {
 
 /// Cost of one operation of one geometry variant.
 struct OperationReport {
-  std::string
-      name;  ///< "energy", "forces", "product", "linearize", "apply", "stiffness", "constants"
+  /// "constants", "geometry", "energy", "forces", "product", "linearize", "apply", "stress",
+  /// "stiffness"
+  std::string name;
   long flops = 0;     ///< per element; FMA = 2, a division or a function counts as 1 here
   int constants = 0;  ///< grouped constants read (for `constants`: written)
   int state = 0;      ///< state numbers read or written
@@ -102,7 +105,7 @@ struct Instantiation {
   bool single_precision = false;  ///< float instead of double
   bool simd = true;               ///< packs of elements; else one element at a time
   /// Operations beside constants and geometry: subset of {"energy", "forces", "product",
-  /// "linearize", "apply", "stiffness"}; the others' table entries are null.
+  /// "linearize", "apply", "stiffness", "stress"}; the others' table entries are null.
   std::vector<std::string> operations;
 };
 
@@ -142,7 +145,9 @@ struct Evaluation {
   std::string energy;
   std::vector<std::string> forces, product;  ///< [a * dim + i]; product empty without a direction
   std::vector<std::string> stiffness;        ///< [(a * dim + i) * N + b * dim + j]
-  std::string status;                        ///< "ok" or what is wrong
+  std::vector<std::string> stress;           ///< [g * stress_numbers + k] of runtime/kernel_abi.h
+  std::vector<std::vector<std::string>> cauchy;  ///< [g][i * 3 + j]; of none where det F = 0
+  std::string status;                            ///< "ok" or what is wrong
 };
 
 /// Inputs of one element: [a * dim + i]; `direction` may be empty.
@@ -150,13 +155,13 @@ struct ElementCase {
   std::vector<double> rest_positions, parameters, displacement, direction;
 };
 
-/// What walks which graph: double the one that `options` choose, after all passes; CLN, with 100
-/// digits and 40 shown, the textbook form before all passes (derived as `options` say), or the
-/// thesis's polynomials with every
-/// monomial written out (affine elements with laws polynomial in H).
+/// What is walked: double the statements that are printed, as `options` choose them; CLN, with 100
+/// digits and 40 shown, the graph of the textbook form before all passes (derived as `options`
+/// say), or that of the thesis's polynomials with every monomial written out, which have no stress
+/// (affine elements with laws polynomial in H).
 enum class GraphScalar { dag_double, cln, cln_expanded };
 
-/// Walks the expression graph without compiling anything.
+/// Walks statements or graphs without compiling anything.
 [[nodiscard]] Evaluation evaluate_graph(const AssociationId& id, const Law& law,
                                         const ElementCase& input, GraphScalar scalar,
                                         const GenerateOptions& options = {});

@@ -1,17 +1,27 @@
-// Kernels for evaluation alone: one graph per operation.
+// An element's operations as graphs for evaluation alone.
 #pragma once
 
-#include "symgen/variant_kernels.h"
+#include <vector>
+
+#include "symgen/mechanics/element_graph.h"
+#include "symgen/mechanics/stress_graph.h"
 
 namespace elastogen::symgen {
 
-/// Kernels of a loop written out again, for evaluation: energy, forces and product of the element.
-[[nodiscard]] VariantKernels written_out(const VariantKernels& kernels);
+/// What operations compute, in one graph of the element's inputs.
+struct ReferenceKernels {
+  Dag dag;
+  std::vector<NodeId> positions, parameters, displacement, direction;  ///< as ElementGraph's
+  NodeId energy = 0;
+  std::vector<NodeId> forces, product;  ///< [a * dim + i]
+  std::vector<NodeId> stress;           ///< [g * stress_numbers + k]
+};
 
-/// Energy, forces and product as they come from mechanics, without any pass: the reference.
-[[nodiscard]] VariantKernels unoptimised_kernels(ElementGraph graph);
+/// Everything as it comes from mechanics, without any pass: the reference.
+[[nodiscard]] ReferenceKernels unoptimised_kernels(ElementGraph graph, const StressGraph& stress);
 
-/// The same from the thesis's polynomials, every monomial written out.
-[[nodiscard]] VariantKernels expanded_kernels(ElementGraph graph);
+/// Energy, forces and product from the thesis's polynomials, every monomial written out. The thesis
+/// has no stress.
+[[nodiscard]] ReferenceKernels expanded_kernels(ElementGraph graph);
 
 }  // namespace elastogen::symgen

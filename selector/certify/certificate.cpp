@@ -14,19 +14,27 @@ namespace {
 
 using cln::cl_R;
 using symgen::ElementCase;
-using Results = symgen::ElementResults<cl_R>;
 
 constexpr int condition_trials = 4;
 constexpr int slow_cases = 3;       // of families that need many more digits
 constexpr int stiffness_every = 8;  // exact stiffness takes as many products as there are columns
 
-/// Exact values of the four operations in one list each.
-std::array<std::vector<cl_R>, num_operations> in_lists(const Results& results) {
-  return {std::vector<cl_R>{results.energy}, results.forces, results.product, results.stiffness};
+/// The first Piola-Kirchhoff stress of all points, of what the operation gives.
+template <class Number>
+std::vector<Number> first_piola_of(const std::vector<Number>& stress) {
+  std::vector<Number> entries;
+  for (std::size_t first = 0; first < stress.size(); first += stress_numbers) {
+    const auto begin = stress.begin() + static_cast<std::ptrdiff_t>(first + 9);
+    entries.insert(entries.end(), begin, begin + 9);
+  }
+  return entries;
 }
 
-std::array<std::vector<double>, num_operations> in_lists(const KernelEvaluation& results) {
-  return {std::vector<double>{results.energy}, results.forces, results.product, results.stiffness};
+/// Values of the operations in one list each.
+template <class Number, class Results>
+std::array<std::vector<Number>, num_operations> in_lists(const Results& results) {
+  return {std::vector<Number>{results.energy}, results.forces, results.product, results.stiffness,
+          first_piola_of<Number>(results.stress)};
 }
 
 double largest(const std::vector<double>& values) {
@@ -146,7 +154,7 @@ class FamilyRun {
     std::array<std::vector<cl_R>, num_operations> expected;
     std::array<double, num_operations> condition{};
     const auto exact_at = [&](const ElementCase& at) {
-      return in_lists(exact_.evaluate(at, digits_, with_stiffness));
+      return in_lists<cl_R>(exact_.evaluate(at, digits_, with_stiffness));
     };
     const auto moved = [&] { return perturbed(input, dim_, single_precision, generator); };
     try {
@@ -159,13 +167,15 @@ class FamilyRun {
       return;
     }
     scale_ = {std::abs(to_double(expected[0][0])), largest(expected[1]),
-              largest(found.stiffness) * largest(input.direction), largest(expected[3])};
+              largest(found.stiffness) * largest(input.direction), largest(expected[3]),
+              largest(expected[4])};
     const double size = largest_extent(input.rest_positions, dim_);
     const double stiffness = largest(found.stiffness);
     const double noise = std::pow(10.0, 10.0 - digits_) * stiffness;
     const std::array<double, num_operations> unseen = {
         underflow + noise * size * size, underflow + noise * size,
-        underflow + noise * largest(input.direction), underflow + noise};
+        underflow + noise * largest(input.direction), underflow + noise,
+        underflow + noise / std::pow(size, dim_ - 2)};
     for (int trial = 0; trial < condition_trials; ++trial) {
       try {
         const auto there = exact_at(moved());
@@ -176,7 +186,7 @@ class FamilyRun {
         condition.fill(std::numeric_limits<double>::infinity());
       }
     }
-    const auto values = in_lists(found);
+    const auto values = in_lists<double>(found);
     std::string beyond;  // the first operation beyond its bound
     for (std::size_t o = 0; o < num_operations; ++o) {
       if (expected[o].empty()) continue;
@@ -216,7 +226,8 @@ class FamilyRun {
 }  // namespace
 
 const char* operation_name(std::size_t operation) {
-  static constexpr const char* names[num_operations] = {"energy", "forces", "product", "stiffness"};
+  static constexpr const char* names[num_operations] = {"energy", "forces", "product", "stiffness",
+                                                        "stress"};
   return names[operation];
 }
 

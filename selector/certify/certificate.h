@@ -13,12 +13,13 @@
 
 namespace elastogen::selector {
 
-/// The four operations that are certified, in the order of arrays below.
-inline constexpr std::size_t num_operations = 4;
+/// The operations that are certified, in the order of arrays below; of stress P alone.
+inline constexpr std::size_t num_operations = 5;
 [[nodiscard]] const char* operation_name(std::size_t operation);
 
 /// What every finite result must stay within, in units of the scalar's epsilon: energy relative to
-/// |W|, forces to max |f|, product to max |K| max |V|, stiffness to max |K|. Of well-posed families
+/// |W|, forces to max |f|, product to max |K| max |V|, stiffness to max |K|, stress to max |P| over
+/// all points. Of well-posed families
 /// 50, of the energy 200; of others 200 times 1 + the condition of the case, which is sampled and
 /// so rather too small.
 [[nodiscard]] double error_bound(std::size_t operation, bool well_posed);

@@ -29,7 +29,8 @@ namespace elastogen::selector {
                                             const CertifyOptions& options);
 
 /// What has become worse since a baseline (the JSON of an earlier run): figures above `slack` times
-/// the baseline's, counting none below 4 epsilon, and new violations. Empty if nothing has.
+/// the baseline's, counting none below 4 epsilon, and new violations. Empty if nothing has. An
+/// operation that an association of the baseline lacks is not compared.
 /// @throws InputError  a baseline that does not hold one of the associations
 [[nodiscard]] std::vector<std::string> worse_than(const nlohmann::json& baseline,
                                                   const std::string& baseline_name,

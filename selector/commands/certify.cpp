@@ -67,7 +67,7 @@ int run_certify(const CertifyCommand& command, const Context& context) {
       if (command.precision == (single ? "double" : "float")) continue;
       KernelRequest request{id, laws.back(), {}};
       request.what.single_precision = single;
-      request.what.operations = {"energy", "forces", "product", "stiffness"};
+      request.what.operations = {"energy", "forces", "product", "stiffness", "stress"};
       requests.push_back(std::move(request));
     }
   }

@@ -13,6 +13,7 @@
 #include "selector/commands/evaluation.h"
 #include "selector/commands/evaluation_case.h"
 #include "selector/support/files.h"
+#include "symgen/element_evaluation.h"
 
 namespace elastogen::selector {
 namespace {
@@ -29,7 +30,8 @@ struct EvaluateOptions {
 /// JSON values of the results, with null for what is not finite.
 struct Results {
   Json energy;
-  std::vector<Json> forces, product, stiffness;
+  std::vector<Json> forces, product, stiffness, stress;
+  std::vector<std::vector<Json>> cauchy;  ///< of each point; empty where there is none
   std::string status;
   bool finite = true;
 };
@@ -46,7 +48,7 @@ Json text_value(const std::string& text, bool as_text, bool& finite) {
   return as_text && !number.is_null() ? Json(text) : number;
 }
 
-Results from_kernels(const KernelEvaluation& evaluation) {
+Results from_kernels(const KernelEvaluation& evaluation, bool small_strain) {
   Results results;
   const auto convert = [&](const std::vector<double>& numbers) {
     std::vector<Json> values;
@@ -57,13 +59,18 @@ Results from_kernels(const KernelEvaluation& evaluation) {
   results.forces = convert(evaluation.forces);
   results.product = convert(evaluation.product);
   results.stiffness = convert(evaluation.stiffness);
+  results.stress = convert(evaluation.stress);
+  for (const std::vector<double>& sigma :
+       symgen::cauchy_stress(evaluation.stress, small_strain, symgen::DoubleArithmetic{})) {
+    results.cauchy.push_back(convert(sigma));
+  }
   results.status = status_text(evaluation.status);
   return results;
 }
 
 /// Outside a law's domain exact arithmetic has no results at all: nulls take their places.
 Results from_graph(const symgen::Evaluation& evaluation, const symgen::ElementCase& input,
-                   bool as_text) {
+                   std::size_t num_points, bool as_text) {
   Results results;
   const auto convert = [&](const std::vector<std::string>& texts, std::size_t count) {
     if (texts.empty()) return std::vector<Json>(count, nullptr);
@@ -80,6 +87,11 @@ Results from_graph(const symgen::Evaluation& evaluation, const symgen::ElementCa
   results.forces = convert(evaluation.forces, size);
   results.product = convert(evaluation.product, input.direction.size());
   results.stiffness = convert(evaluation.stiffness, size * size);
+  results.stress = convert(evaluation.stress, stress_numbers * num_points);
+  results.cauchy.resize(num_points);
+  for (std::size_t g = 0; g < evaluation.cauchy.size(); ++g) {
+    results.cauchy[g] = convert(evaluation.cauchy[g], 0);
+  }
   results.status = evaluation.status;
   return results;
 }
@@ -94,6 +106,21 @@ Json rows(const std::vector<Json>& values, std::size_t width) {
   return array;
 }
 
+/// What the operation `stress` gives at a point, and the Cauchy stress.
+Json point_json(const Results& results, std::size_t g) {
+  const auto tensor = [&](std::size_t first) {
+    const auto begin =
+        results.stress.begin() + static_cast<std::ptrdiff_t>(g * stress_numbers + first);
+    return rows({begin, begin + 9}, 3);
+  };
+  const std::vector<Json>& sigma = results.cauchy[g];
+  return {{"H", tensor(0)},
+          {"P", tensor(9)},
+          {"cauchy", sigma.empty() ? Json(nullptr) : rows(sigma, 3)},
+          {"W", results.stress[g * stress_numbers + 18]},
+          {"volume", results.stress[g * stress_numbers + 19]}};
+}
+
 Json results_json(const Results& results, int dim) {
   const auto width = static_cast<std::size_t>(dim);
   Json output;
@@ -101,6 +128,10 @@ Json results_json(const Results& results, int dim) {
   output["forces"] = rows(results.forces, width);
   if (!results.product.empty()) output["product"] = rows(results.product, width);
   output["stiffness"] = rows(results.stiffness, results.forces.size());
+  output["stress"] = Json::array();
+  for (std::size_t g = 0; g < results.cauchy.size(); ++g) {
+    output["stress"].push_back(point_json(results, g));
+  }
   const bool unmentioned = !results.finite && results.status == "ok";
   output["status"] = unmentioned ? status_text(status_not_finite) : results.status;
   return output;
@@ -113,10 +144,11 @@ Results compile_and_evaluate(const symgen::AssociationId& id, const symgen::Law&
   KernelRequest request{id, law, {}};
   request.what.single_precision = std::is_same_v<Scalar, float>;
   request.what.simd = simd;
-  request.what.operations = {"energy", "forces", "product", "stiffness"};
+  request.what.operations = {"energy", "forces", "product", "stiffness", "stress"};
   KernelLoader loader(context.loader_options());
   const std::vector<LoadedKernels> kernels = loader.load({request});
-  return from_kernels(evaluate_kernels(kernels.front().table<Scalar>(), geometry, input));
+  return from_kernels(evaluate_kernels(kernels.front().table<Scalar>(), geometry, input),
+                      law.small_strain);
 }
 
 Results compute(const EvaluateOptions& options, const symgen::AssociationId& id,
@@ -125,7 +157,10 @@ Results compute(const EvaluateOptions& options, const symgen::AssociationId& id,
   if (scalar == "dag" || scalar == "cln") {
     const bool cln = scalar == "cln";
     const auto kind = cln ? symgen::GraphScalar::cln : symgen::GraphScalar::dag_double;
-    return from_graph(symgen::evaluate_graph(id, law, input, kind, context.generate), input, cln);
+    const auto num_points =
+        static_cast<std::size_t>(symgen::find_quadrature(id.element, id.quadrature).num_points());
+    return from_graph(symgen::evaluate_graph(id, law, input, kind, context.generate), input,
+                      num_points, cln);
   }
   if (scalar == "float") {
     return compile_and_evaluate<float>(id, law, false, options.geometry, input, context);
@@ -169,8 +204,13 @@ void add_evaluate_command(CLI::App& app, Context& context) {
       "absent\n"
       "Output: {\"energy\": J, \"forces\": [[N]] = -dW/dU, \"product\": [[N]] = (dforces/dU) "
       "direction,\n"
-      "         \"stiffness\": [[N/m]] = d2W/dU2, node-major, \"status\": \"ok\" or what is "
-      "wrong}\n"
+      "         \"stiffness\": [[N/m]] = d2W/dU2, node-major,\n"
+      "         \"stress\": [{\"H\": [[3 x 3]] = dU/dX, \"P\": [[Pa]] = dW/dH, \"cauchy\": "
+      "[[Pa]] = P F^T / det F (null\n"
+      "           where det F = 0; P itself of a law for small strain), \"W\": J/m^3, "
+      "\"volume\": m^dim}, ...] at each\n"
+      "           point of the quadrature, as tensors in space also in plane strain,\n"
+      "         \"status\": \"ok\" or what is wrong}\n"
       "A result that is not finite is null, and the status says so; the exit status is 0 then "
       "too.\n"
       "Examples:\n"
@@ -184,7 +224,8 @@ void add_evaluate_command(CLI::App& app, Context& context) {
   command
       ->add_option("--scalar", options->scalar,
                    "double, float: compiled, one element at a time; simd: doubles in all lanes; "
-                   "dag, cln: the expression graph, without compiling, in doubles or 40 digits")
+                   "dag, cln: without compiling, the kernel's statements in doubles or the "
+                   "law's graph in 40 digits")
       ->check(CLI::IsMember({"double", "float", "simd", "dag", "cln"}))
       ->capture_default_str();
   command

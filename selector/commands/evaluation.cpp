@@ -100,6 +100,8 @@ KernelEvaluation evaluate_kernels(const KernelTable<Scalar>& table, const std::s
   result.forces = batch.call(variant.forces, size);
   if (!input.direction.empty()) result.product = batch.call(variant.product, size);
   result.stiffness = batch.call(variant.stiffness, size * size);
+  result.stress =
+      batch.call(variant.stress, static_cast<std::size_t>(stress_numbers * table.num_points));
   result.status = batch.status();
   return result;
 }

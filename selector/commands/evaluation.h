@@ -13,12 +13,12 @@ namespace elastogen::selector {
 /// Results of one element; indices as in symgen::Evaluation.
 struct KernelEvaluation {
   double energy = 0;
-  std::vector<double> forces, product, stiffness;
+  std::vector<double> forces, product, stiffness, stress;
   std::uint32_t status = status_ok;
 };
 
 /// Calls the kernels of a table (constants, energy, forces, product where there is a direction,
-/// stiffness) on one element. A table of several lanes gets the element in each of them.
+/// stiffness, stress) on one element. A table of several lanes gets the element in each of them.
 ///
 /// @throws InputError     when the table has no such geometry variant; says which it has
 /// @throws InternalError  when the lanes do not agree to the last bit

@@ -291,7 +291,7 @@ void add_explain_command(CLI::App& app, Context& context) {
                          ->type_name("FILE")
                          ->excludes(json);
   command->add_option("--operation", options->operation, "Operation whose graph is written")
-      ->check(CLI::IsMember({"energy", "forces", "product", "linearize", "apply"}))
+      ->check(CLI::IsMember({"energy", "forces", "product", "linearize", "apply", "stress"}))
       ->needs(dot)
       ->capture_default_str();
   command

@@ -81,7 +81,8 @@ TEST_F(CommandLine, ExplainsAsJson) {
   EXPECT_EQ(json["element"]["shape_functions"].size(), 8U);
   EXPECT_EQ(json["quadrature"]["points"][0][0], "-0.5773502691896257645091487805019574556476");
   EXPECT_EQ(json["quadrature"]["weights"][7], "1.000000000000000000000000000000000000000");
-  for (const char* operation : {"energy", "forces", "product", "stiffness", "constants"}) {
+  for (const char* operation :
+       {"energy", "forces", "product", "stiffness", "constants", "stress"}) {
     for (const char* count : {"flops", "constants", "state", "bytes_read", "bytes_written",
                               "fragments", "code_bytes"}) {
       EXPECT_TRUE(json["operations"][operation][count].is_number_integer())

@@ -44,6 +44,11 @@ TEST_F(Evaluate, AgreesForAllScalars) {
   const Json reference = Json::parse(exact.output);
   const double energy = std::stod(reference["energy"].get<std::string>());
   const double force = std::stod(reference["forces"][1][0].get<std::string>());
+  const auto number = [](const Json& value) {
+    return value.is_string() ? std::stod(value.get<std::string>()) : value.get<double>();
+  };
+  const double stress = number(reference["stress"][0]["P"][0][0]);
+  const double cauchy = number(reference["stress"][0]["cauchy"][0][0]);
   EXPECT_GT(energy, 0);
   for (const std::string scalar : {"double", "float", "simd", "dag"}) {
     std::vector<std::string> arguments = call(scalar);
@@ -57,6 +62,12 @@ TEST_F(Evaluate, AgreesForAllScalars) {
     EXPECT_EQ(output["status"], "ok");
     EXPECT_EQ(output["stiffness"].size(), 12U);
     EXPECT_EQ(output["product"].size(), 4U);
+    ASSERT_EQ(output["stress"].size(), 1U);
+    const Json& point = output["stress"][0];
+    EXPECT_NEAR(number(point["P"][0][0]), stress, tolerance * 1e5) << scalar;
+    EXPECT_NEAR(number(point["cauchy"][0][0]), cauchy, tolerance * 1e5) << scalar;
+    const double volume = number(point["volume"]);
+    EXPECT_NEAR(number(point["W"]) * volume, energy, 2 * tolerance * energy) << scalar;
   }
 }
 

@@ -12,7 +12,10 @@
 #include "opencl/device.h"
 #include "opencl/slots.h"
 #include "runtime/error.h"
+#include "selector/commands/evaluation.h"
 #include "selector/support/files.h"
+#include "symgen/quadrature/quadrature.h"
+#include "tested_kernels.h"
 
 namespace elastogen::test {
 namespace {
@@ -136,6 +139,9 @@ class DeviceBlock {
         upload(device, std::vector<Real>(std::max<std::size_t>(num_constants_ * stride_, 1)));
     state_ = upload(device, std::vector<Real>(std::max<std::size_t>(num_state_ * stride_, 1)));
     energy_ = upload(device, std::vector<Real>(stride_));
+    const int num_points = symgen::find_quadrature(id.element, id.quadrature).num_points();
+    num_stress_ = static_cast<std::size_t>(stress_numbers * num_points);
+    stress_ = upload(device, std::vector<Real>(num_stress_ * stride_));
     status_ = upload(device, std::vector<std::uint32_t>(num_elements_));
     run("constants", constants_);
   }
@@ -164,6 +170,16 @@ class DeviceBlock {
     run("energy", energy_);
     return download<Real>(device_, energy_, num_elements_);
   }
+  /// Numbers of the operation `stress`, element after element.
+  std::vector<double> stresses() {
+    run("stress", stress_);
+    const auto rows = download<Real>(device_, stress_, num_stress_ * stride_);
+    std::vector<double> all;
+    for (std::size_t e = 0; e < num_elements_; ++e) {
+      for (std::size_t k = 0; k < num_stress_; ++k) all.push_back(rows[k * stride_ + e]);
+    }
+    return all;
+  }
   std::vector<std::uint32_t> status() {
     return download<std::uint32_t>(device_, status_, num_elements_);
   }
@@ -182,11 +198,16 @@ class DeviceBlock {
 
   const opencl::Device& device_;
   const Nodal& nodal_;
-  std::size_t num_elements_, num_constants_ = 0, num_state_ = 0, stride_ = 0;
+  std::size_t num_elements_, num_constants_ = 0, num_state_ = 0, num_stress_ = 0, stride_ = 0;
   std::string prefix_;
   opencl::Program program_;
-  cl::Buffer nodes_, slots_, parameters_, constants_, state_, energy_, status_;
+  cl::Buffer nodes_, slots_, parameters_, constants_, state_, energy_, stress_, status_;
 };
+
+/// Whether a block of a case has elements of the box variant.
+bool is_box(const Case& each, const ElementBlock& block) {
+  return each.box && block.element == "hexa8";
+}
 
 /// A mesh on the device, one block per association.
 template <class Real>
@@ -205,7 +226,7 @@ class DeviceModel {
         device_,
         std::vector<Real>(static_cast<std::size_t>(slots_.max_slots) * 3 * nodal_.stride, nan));
     for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
-      const bool box = each.box && mesh.blocks[b].element == "hexa8";
+      const bool box = is_box(each, mesh.blocks[b]);
       blocks_.emplace_back(device, each.associations[b], box ? "box" : "general", each.profile,
                            mesh.blocks[b], slots_.of_elements[b], nodal_);
     }
@@ -244,6 +265,12 @@ class DeviceModel {
     }
     return all;
   }
+  /// Of each block.
+  std::vector<std::vector<double>> stresses() {
+    std::vector<std::vector<double>> all;
+    for (auto& block : blocks_) all.push_back(block.stresses());
+    return all;
+  }
   /// Of the elements in mesh order, of all operations so far.
   std::vector<std::uint32_t> status() {
     std::vector<std::uint32_t> all;
@@ -265,6 +292,33 @@ class DeviceModel {
   std::vector<DeviceBlock<Real>> blocks_;
   opencl::Program sum_;
 };
+
+/// What the C++ kernels say of the stress in a block, element after element.
+std::vector<double> expected_stresses(const Case& each, const Mesh& mesh, std::size_t b,
+                                      const std::vector<double>& displacement) {
+  const ElementBlock& block = mesh.blocks[b];
+  const AssociationId id = AssociationId::parse(each.reference[b]);
+  const KernelTable<double>& table = *kernels_of(each.reference[b]).double_table();
+  symgen::ElementCase input;
+  input.parameters = symgen::parameters_from_young_poisson(law_named(id.law), young, poisson);
+  std::vector<double> all;
+  const auto n = static_cast<std::size_t>(block.nodes_per_element);
+  for (std::size_t e = 0; e < block.num_elements(); ++e) {
+    input.rest_positions.clear();
+    input.displacement.clear();
+    for (std::size_t a = 0; a < n; ++a) {
+      const auto node = static_cast<std::size_t>(block.nodes[e * n + a]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        input.rest_positions.push_back(mesh.positions[3 * node + i]);
+        input.displacement.push_back(displacement[3 * node + i]);
+      }
+    }
+    const std::vector<double> found =
+        selector::evaluate_kernels(table, is_box(each, block) ? "box" : "general", input).stress;
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  return all;
+}
 
 double largest(const std::vector<double>& values) {
   double result = 0;
@@ -316,6 +370,17 @@ class OpenclKernels : public ::testing::TestWithParam<Case> {
     ASSERT_EQ(found.size(), energies.size());
     for (std::size_t e = 0; e < found.size(); ++e) {
       EXPECT_NEAR(found[e], energies[e], tolerance * largest(energies)) << "element " << e;
+    }
+
+    const std::vector<std::vector<double>> stresses = device.stresses();
+    for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+      const std::vector<double> expected = expected_stresses(each, mesh, b, u);
+      ASSERT_EQ(stresses[b].size(), expected.size());
+      const double scale = largest(expected);  // of P; the other numbers are far smaller
+      for (std::size_t k = 0; k < expected.size(); ++k) {
+        const bool is_stress = k % stress_numbers >= 9 && k % stress_numbers < 18;
+        ASSERT_NEAR(stresses[b][k], expected[k], tolerance * (is_stress ? scale : 1.0)) << k;
+      }
     }
 
     model.linearize(as_vector(u));

@@ -55,8 +55,10 @@ TEST_P(ExpandedFormulation, AgreesWithTheExactGraph) {
   const AssociationId id = AssociationId::parse(GetParam());
   const symgen::Law law = law_named(id.law);
   const symgen::ElementCase input = sample_case(id, law, {});
-  expect_agrees(symgen::evaluate_graph(id, law, input, symgen::GraphScalar::cln_expanded),
-                symgen::evaluate_graph(id, law, input, symgen::GraphScalar::cln), 1e-15);
+  symgen::Evaluation exact = symgen::evaluate_graph(id, law, input, symgen::GraphScalar::cln);
+  exact.stress.clear();  // the thesis has none
+  expect_agrees(symgen::evaluate_graph(id, law, input, symgen::GraphScalar::cln_expanded), exact,
+                1e-15);
 }
 
 INSTANTIATE_TEST_SUITE_P(Affine, ExpandedFormulation,

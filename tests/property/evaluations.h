@@ -6,7 +6,8 @@
 namespace elastogen::test {
 
 /// Expects the status "ok" and results that differ from the exact ones by no more than `rounding`
-/// times the energy, the largest force, and the largest entry of the stiffness.
+/// times the energy, the largest force, the largest entry of the stiffness, and the largest of the
+/// numbers of one kind that `stress` gives.
 void expect_agrees(const symgen::Evaluation& found, const symgen::Evaluation& exact,
                    double rounding);
 

@@ -1,8 +1,13 @@
 // What generation promises: the same bytes every time, hashes that follow the law, readable text.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "element_samples.h"
 #include "runtime/error.h"
+#include "runtime/kernel_abi.h"
+#include "symgen/element/element.h"
+#include "symgen/quadrature/quadrature.h"
 
 namespace elastogen::test {
 namespace {
@@ -102,6 +107,47 @@ TEST(Generation, EqualFragmentsNeedNoTable) {
   const std::string text = symgen::generate_association(id, law_named("stvk"), {}).header;
   EXPECT_EQ(text.find("_row"), std::string::npos);
   EXPECT_NE(text.find("for (int k = 0; k < 4; ++k) forces_0<V>"), std::string::npos);
+}
+
+/// It reads what every mesh has, so a model may compute it without what its other operations store;
+/// of a split it takes g.
+TEST(Generation, StressNeedsNoConstants) {
+  for (const char* text : {"stvk-hexa8-q8-none", "neo_hookean-hexa8-q8-lgnd", "stvk-quad4-q4-nd"}) {
+    const AssociationId id = AssociationId::parse(text);
+    const auto generated = symgen::generate_association(id, law_named(id.law), {});
+    const symgen::Element& element = symgen::find_element(id.element);
+    const int num_points = symgen::find_quadrature(id.element, id.quadrature).num_points();
+    for (const symgen::VariantReport& variant : generated.variants) {
+      const auto stress =
+          std::find_if(variant.operations.begin(), variant.operations.end(),
+                       [](const auto& operation) { return operation.name == "stress"; });
+      ASSERT_NE(stress, variant.operations.end()) << text;
+      EXPECT_EQ(stress->constants, 0) << text;
+      EXPECT_EQ(stress->state, 0) << text;
+      const int num_dofs = element.num_nodes() * element.dim;
+      EXPECT_LE(stress->bytes_read, 8 * 2 * num_dofs) << text;
+      EXPECT_EQ(stress->bytes_written, 8 * stress_numbers * num_points) << text;
+      EXPECT_EQ(stress->fragments, id.split == "lgnd" ? num_points : 1) << text;
+      EXPECT_GT(stress->code_bytes, 0) << text;
+    }
+  }
+}
+
+/// The log is of the build that was taken.
+TEST(Generation, StagesAreThoseOfOneBuild) {
+  const AssociationId id = AssociationId::parse("hooke-hexa8-q8-none");  // its box is straight-line
+  const auto generated = symgen::generate_association(id, law_named("hooke"), {});
+  ASSERT_EQ(generated.variants.size(), 2U);
+  const auto has = [&](std::size_t variant, const std::string& stage) {
+    const auto& stages = generated.variants[variant].stages;
+    return std::any_of(stages.begin(), stages.end(),
+                       [&](const auto& record) { return record.stage == stage; });
+  };
+  EXPECT_TRUE(has(0, "pointwise_graph"));
+  EXPECT_FALSE(has(0, "element_graph"));
+  EXPECT_FALSE(has(1, "pointwise_graph"));
+  EXPECT_TRUE(has(1, "element_graph"));
+  EXPECT_TRUE(has(1, "loops over points (not taken)"));
 }
 
 TEST(Generation, ExactQuadratureNeedsAPolynomialLaw) {

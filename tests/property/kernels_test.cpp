@@ -1,11 +1,13 @@
 // Compiled kernels of every association: against exact evaluation, against each other (energy,
-// forces, product, stiffness), and against mechanics (rigid motions).
+// forces, product, stiffness, stress), and against mechanics (rigid motions).
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,8 +55,30 @@ KernelEvaluation exact_values(const AssociationId& id, const Law& law, const Ele
   result.forces = numbers(exact.forces);
   result.product = numbers(exact.product);
   result.stiffness = numbers(exact.stiffness);
+  result.stress = numbers(exact.stress);
   return result;
 }
+
+/// Numbers first ... first + count - 1 of each point, of what the operation `stress` gives.
+std::vector<double> part_of(const std::vector<double>& stress, std::size_t first,
+                            std::size_t count) {
+  std::vector<double> part;
+  for (std::size_t point = first; point < stress.size(); point += stress_numbers) {
+    const auto begin = stress.begin() + static_cast<std::ptrdiff_t>(point);
+    part.insert(part.end(), begin, begin + static_cast<std::ptrdiff_t>(count));
+  }
+  return part;
+}
+std::vector<double> gradients_of(const std::vector<double>& stress) {
+  return part_of(stress, 0, 9);
+}
+std::vector<double> first_piola_of(const std::vector<double>& stress) {
+  return part_of(stress, 9, 9);
+}
+std::vector<double> densities_of(const std::vector<double>& stress) {
+  return part_of(stress, 18, 1);
+}
+std::vector<double> volumes_of(const std::vector<double>& stress) { return part_of(stress, 19, 1); }
 
 /// No limit: for laws that are not written in a stable form, where digits are lost near rest.
 constexpr double unlimited = std::numeric_limits<double>::infinity();
@@ -62,15 +86,25 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// Errors in ulp of the scalar, each over the size that its rounding is relative to.
 struct Errors {
   double energy, forces, product, stiffness;
+  double gradient, stress, density, volume;  ///< of all points
 };
 
 Errors errors_of(const KernelEvaluation& found, const KernelEvaluation& exact,
                  const ElementCase& input, double ulp) {
   const double stiffness = largest(exact.stiffness);
+  const auto of_points = [&](auto numbers_of) {
+    const std::vector<double> expected = numbers_of(exact.stress);
+    EXPECT_EQ(found.stress.size(), exact.stress.size());
+    return distance(numbers_of(found.stress), expected) / largest(expected) / ulp;
+  };
   return {std::abs(found.energy - exact.energy) / std::abs(exact.energy) / ulp,
           distance(found.forces, exact.forces) / largest(exact.forces) / ulp,
           distance(found.product, exact.product) / (stiffness * largest(input.direction)) / ulp,
-          distance(found.stiffness, exact.stiffness) / stiffness / ulp};
+          distance(found.stiffness, exact.stiffness) / stiffness / ulp,
+          of_points(gradients_of),
+          of_points(first_piola_of),
+          of_points(densities_of),
+          of_points(volumes_of)};
 }
 
 /// A case whose numbers are all floats, so that float kernels get the same input.
@@ -95,6 +129,18 @@ class Kernels : public ::testing::TestWithParam<std::string> {
     return std::all_of(stabilised.begin(), stabilised.end(), [](bool each) { return each; });
   }
 
+  /// Nothing is lost: of a gradient and a volume a few roundings, of energies some tens.
+  void expect_small(const Errors& errors, double strain) const {
+    EXPECT_LT(errors.energy, is_stable() ? 200 : unlimited);
+    EXPECT_LT(errors.forces, is_stable() || strain > 1e-2 ? 50 : unlimited);
+    EXPECT_LT(errors.product, 50);
+    EXPECT_LT(errors.stiffness, 50);
+    EXPECT_LT(errors.gradient, 20);
+    EXPECT_LT(errors.stress, is_stable() || strain > 1e-2 ? 50 : unlimited);
+    EXPECT_LT(errors.density, is_stable() ? 200 : unlimited);
+    EXPECT_LT(errors.volume, 20);
+  }
+
   [[nodiscard]] ElementCase sample(double strain, std::uint32_t seed = 1) const {
     SampleOptions options;
     options.strain = strain;
@@ -110,11 +156,7 @@ TEST_P(Kernels, AgreeWithExactEvaluationAtEveryStrain) {
     const KernelEvaluation exact = exact_values(id, law, input);
     const KernelEvaluation found = evaluate_kernels(table, "general", input);
     EXPECT_EQ(found.status, status_ok);
-    const Errors errors = errors_of(found, exact, input, std::numeric_limits<double>::epsilon());
-    EXPECT_LT(errors.energy, is_stable() ? 200 : unlimited);
-    EXPECT_LT(errors.forces, is_stable() || strain > 1e-2 ? 50 : unlimited);
-    EXPECT_LT(errors.product, 50);
-    EXPECT_LT(errors.stiffness, 50);
+    expect_small(errors_of(found, exact, input, std::numeric_limits<double>::epsilon()), strain);
   }
 }
 
@@ -125,11 +167,7 @@ TEST_P(Kernels, AgreeWithExactEvaluationInFloat) {
     const KernelEvaluation exact = exact_values(id, law, input);
     const KernelEvaluation found = evaluate_kernels(float_table, "general", input);
     EXPECT_EQ(found.status, status_ok);
-    const Errors errors = errors_of(found, exact, input, std::numeric_limits<float>::epsilon());
-    EXPECT_LT(errors.energy, is_stable() ? 200 : unlimited);
-    EXPECT_LT(errors.forces, is_stable() || strain > 1e-2 ? 50 : unlimited);
-    EXPECT_LT(errors.product, 50);
-    EXPECT_LT(errors.stiffness, 50);
+    expect_small(errors_of(found, exact, input, std::numeric_limits<float>::epsilon()), strain);
   }
 }
 
@@ -177,6 +215,67 @@ TEST_P(Kernels, StiffnessIsSymmetricAndMinusTheProduct) {
   EXPECT_LT(distance(product, at.product), 1e-13 * static_cast<double>(size) * scale);
 }
 
+/// f = -sum_g w_g det J P : dF/dU, with dF_ij/dU_ai = dLambda_a/dX_j from the table's own points.
+TEST_P(Kernels, ForcesAreTheIntegralOfTheStress) {
+  const ElementCase input = sample(0.1, 8);
+  const KernelEvaluation at = evaluate_kernels(table, "general", input);
+  const auto dim = static_cast<std::size_t>(table.dim);
+  const auto num_nodes = static_cast<std::size_t>(table.num_nodes);
+  ASSERT_EQ(table.points.num_points, table.num_points);
+  std::vector<double> forces(at.forces.size(), 0.0), sizes(at.forces.size(), 0.0);
+  for (std::size_t g = 0; g < static_cast<std::size_t>(table.num_points); ++g) {
+    const double* in_reference = table.points.gradients + g * num_nodes * dim;
+    const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>
+        gradients(in_reference, table.num_nodes, table.dim),
+        positions(input.rest_positions.data(), table.num_nodes, table.dim);
+    const Eigen::MatrixXd jacobian = positions.transpose() * gradients;
+    const Eigen::MatrixXd in_space = gradients * jacobian.inverse();  // [a][j]
+    const double* numbers = at.stress.data() + g * stress_numbers;
+    EXPECT_NEAR(numbers[19], table.points.weights[g] * jacobian.determinant(), 1e-13);
+    for (std::size_t a = 0; a < num_nodes; ++a) {
+      for (std::size_t i = 0; i < dim; ++i) {
+        for (std::size_t j = 0; j < dim; ++j) {
+          const double term = numbers[19] * numbers[9 + i * 3 + j] *
+                              in_space(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(j));
+          forces[a * dim + i] -= term;
+          sizes[a * dim + i] += std::abs(term);
+        }
+      }
+    }
+  }
+  EXPECT_LT(distance(forces, at.forces), 1e-14 * largest(sizes));
+}
+
+/// Projections integrate with the table's points: partitions of unity that hold linear functions.
+TEST_P(Kernels, TablesHoldShapeFunctionsAtPoints) {
+  const symgen::Element& element = symgen::find_element(id.element);
+  const auto dim = static_cast<std::size_t>(table.dim);
+  const double whole =
+      std::accumulate(table.points.weights, table.points.weights + table.points.num_points, 0.0);
+  for (const ReferencePoints& points : {table.points, table.rich_points, float_table.points}) {
+    double volume = 0;
+    for (std::size_t g = 0; g < static_cast<std::size_t>(points.num_points); ++g) {
+      volume += points.weights[g];
+      double sum = 0;
+      Eigen::MatrixXd identity = Eigen::MatrixXd::Zero(table.dim, table.dim);
+      for (std::size_t a = 0; a < element.nodes.size(); ++a) {
+        const std::size_t at = g * element.nodes.size() + a;
+        sum += points.shapes[at];
+        for (std::size_t i = 0; i < dim; ++i) {
+          const double node = GiNaC::ex_to<GiNaC::numeric>(element.nodes[a][i].evalf()).to_double();
+          for (std::size_t k = 0; k < dim; ++k) {
+            identity(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) +=
+                node * points.gradients[at * dim + k];
+          }
+        }
+      }
+      EXPECT_NEAR(sum, 1, 1e-15 * static_cast<double>(element.nodes.size()));
+      EXPECT_LT((identity - Eigen::MatrixXd::Identity(table.dim, table.dim)).norm(), 1e-14);
+    }
+    EXPECT_NEAR(volume, whole, 1e-14 * whole);
+  }
+}
+
 TEST_P(Kernels, RigidMotionsAreForceFree) {
   ElementCase input = sample(0.1, 5);
   // Linear strain is not objective: Hooke's law sees translations only.
@@ -215,6 +314,10 @@ TEST_P(Kernels, SpecialVariantsAgreeWithTheGeneralOne) {
     EXPECT_LT(distance(special.forces, general.forces), 1e-13 * largest(general.forces));
     EXPECT_LT(distance(special.product, general.product), 1e-13 * largest(general.product));
     EXPECT_LT(distance(special.stiffness, general.stiffness), 1e-13 * largest(general.stiffness));
+    for (const auto numbers_of : {gradients_of, first_piola_of, densities_of, volumes_of}) {
+      const std::vector<double> expected = numbers_of(general.stress);
+      EXPECT_LT(distance(numbers_of(special.stress), expected), 1e-13 * largest(expected));
+    }
   }
 }
 
@@ -224,7 +327,7 @@ TEST_P(Kernels, GiveBatchesAtOnceWhatEachGetsAlone) {
   const auto dofs = static_cast<std::size_t>(table.num_nodes * table.dim);
   const auto size_of = [&](std::int32_t count) { return lanes * static_cast<std::size_t>(count); };
   struct Batch {
-    AlignedVector<double> positions, displacement, direction, constants, state, output;
+    AlignedVector<double> positions, displacement, direction, constants, state, output, stress;
     std::vector<std::uint32_t> status;
   };
   std::vector<double> parameters;
@@ -244,6 +347,7 @@ TEST_P(Kernels, GiveBatchesAtOnceWhatEachGetsAlone) {
     batch.constants.resize(size_of(variant.num_constants));
     batch.state.resize(size_of(variant.num_state));
     batch.output.resize(lanes * dofs);
+    batch.stress.resize(size_of(stress_numbers * table.num_points));
     batch.status.assign(lanes, status_ok);
     arguments[k] = {batch.positions.data(),    parameters.data(),      batch.constants.data(),
                     batch.displacement.data(), batch.direction.data(), batch.state.data(),
@@ -279,6 +383,7 @@ TEST_P(Kernels, GiveBatchesAtOnceWhatEachGetsAlone) {
   expect_same("product", variant.product, &Batch::output);
   expect_same("linearize", variant.linearize, &Batch::state);
   expect_same("apply", variant.apply, &Batch::output);
+  expect_same("stress", variant.stress, &Batch::stress);
 }
 
 TEST_P(Kernels, StatusTellsBadResults) {
@@ -326,10 +431,58 @@ TEST(Status, EveryOperationReportsTheDomain) {
     kernel(&arguments, 1);
     for (const std::uint32_t bits : status) EXPECT_NE(bits & status_outside_domain, 0U);
   };
-  for (const auto kernel : {variant.energy, variant.forces, variant.product, variant.stiffness}) {
+  for (const auto kernel : {variant.energy, variant.forces, variant.product, variant.stiffness,
+                            variant.stress}) {
     expect_outside(kernel, output.data());
   }
   expect_outside(variant.linearize, state.data());
+}
+
+/// Neo-Hooke of E = 1 MPa, nu = 0.3 stretched to 1.6 with free sides.
+TEST(Stress, OfUniaxialTensionIsThatOfTheClosedForm) {
+  const AssociationId id = AssociationId::parse("neo_hookean-hexa8-q8-none");
+  const Law law = law_named(id.law);
+  ElementCase input = sample_case(id, law, {});
+  input.parameters = symgen::parameters_from_young_poisson(law, 1e6, 0.3);
+  const double lambda = input.parameters[0], mu = input.parameters[1], stretch = 1.6;
+  const auto lateral = [&](double side) {  // stress, rising
+    return mu * (side - 1 / side) + lambda * std::log(stretch * side * side) / side;
+  };
+  double low = 0.5, high = 1;
+  for (int k = 0; k < 100; ++k) {
+    const double middle = (low + high) / 2;
+    (lateral(middle) < 0 ? low : high) = middle;
+  }
+  for (std::size_t k = 0; k < input.displacement.size(); ++k) {
+    input.displacement[k] = ((k % 3 == 0 ? stretch : low) - 1) * input.rest_positions[k];
+  }
+  const KernelTable<double>& table = *kernels_of(id.text()).double_table();
+  const std::vector<double> stress =
+      first_piola_of(evaluate_kernels(table, "general", input).stress);
+  for (std::size_t g = 0; g < 8; ++g) {
+    EXPECT_NEAR(stress[g * 9], 436971.2, 0.05);
+    for (std::size_t k = 1; k < 9; ++k) EXPECT_NEAR(stress[g * 9 + k], 0, 1e-8);
+  }
+}
+
+/// Plane strain holds the body in the third direction: F_33 = 1, so P_33 = lambda tr E.
+TEST(Stress, OfPlaneStrainHasItsComponentAcrossThePlane) {
+  for (const char* text : {"stvk-quad4-q4-none", "hooke-tri3-q1-none"}) {
+    const AssociationId id = AssociationId::parse(text);
+    const Law law = law_named(id.law);
+    const ElementCase input = sample_case(id, law, {});
+    const std::vector<double> found =
+        evaluate_kernels(*kernels_of(text).double_table(), "general", input).stress;
+    for (std::size_t first = 0; first < found.size(); first += stress_numbers) {
+      const double* h = found.data() + first;
+      const double* stress = h + 9;
+      for (const int zero : {2, 5, 6, 7, 8}) EXPECT_EQ(h[zero], 0) << text;
+      for (const int zero : {2, 5, 6, 7}) EXPECT_EQ(stress[zero], 0) << text;
+      const double square = h[0] * h[0] + h[1] * h[1] + h[3] * h[3] + h[4] * h[4];
+      const double trace = h[0] + h[4] + (id.law == "stvk" ? square / 2 : 0);
+      EXPECT_NEAR(stress[8], input.parameters[0] * trace, 1e-12 * input.parameters[0]) << text;
+    }
+  }
 }
 
 std::vector<std::string> all_tested() {

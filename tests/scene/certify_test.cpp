@@ -44,7 +44,7 @@ TEST_F(Certify, WritesATableAPageAndFigures) {
   const nlohmann::json found = certified({"stvk-tri3-q1-none", "--cases", "2"});
   ASSERT_EQ(found["certificates"].size(), 2U);  // double and float
   EXPECT_EQ(found["certificates"][0]["violations"], 0);
-  for (const char* operation : {"energy", "forces", "product", "stiffness"}) {
+  for (const char* operation : {"energy", "forces", "product", "stiffness", "stress"}) {
     EXPECT_GT(found["certificates"][0]["well_posed"][operation]["worst"], 0) << operation;
   }
   EXPECT_NE(read_text_file(out() / "accuracy.md", "table").find("| stvk-tri3-q1-none |"),

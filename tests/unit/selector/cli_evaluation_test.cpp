@@ -57,6 +57,11 @@ void stiffness(const KernelArguments<double>& a) {
 }
 
 template <int Lanes>
+void stress(const KernelArguments<double>& a) {
+  for (int k = 0; k < stress_numbers * Lanes; ++k) a.output[k] = k / Lanes;
+}
+
+template <int Lanes>
 const KernelTable<double>& spring_table() {
   static const char* const names[] = {"p"};
   static const VariantTable<double> variants[] = {{"general",
@@ -72,7 +77,8 @@ const KernelTable<double>& spring_table() {
                                                    each_batch<product<Lanes>>,
                                                    nullptr,
                                                    nullptr,
-                                                   each_batch<stiffness<Lanes>>}};
+                                                   each_batch<stiffness<Lanes>>,
+                                                   each_batch<stress<Lanes>>}};
   static const KernelTable<double> table = {kernel_abi_version,
                                             Lanes,
                                             "spring-tet4-q1-none",
@@ -110,6 +116,8 @@ void expect_spring_results() {
   ASSERT_EQ(result.stiffness.size(), 144U);
   EXPECT_EQ(result.stiffness[3 * 12 + 3], 10.0);
   EXPECT_EQ(result.stiffness[3 * 12 + 4], 0.0);
+  ASSERT_EQ(result.stress.size(), static_cast<std::size_t>(stress_numbers));
+  EXPECT_EQ(result.stress[19], 19.0);
   EXPECT_EQ(status_text(result.status), "ok");
 }
 
