@@ -51,7 +51,8 @@ std::vector<double> parameters_of(const symgen::Law& law, double modulus, double
   }
   std::vector<double> values;
   for (const symgen::Parameter& parameter : law.parameters) {
-    const double unit = parameter.unit == "Pa" ? modulus : 1;
+    // A parameter in powers of Pa scales with the modulus.
+    const double unit = std::pow(modulus, parameter.unit.powers[symgen::kilogram].to_double());
     // What may be negative is kept small beside the others: laws with a small negative weight.
     const bool is_signed = !parameter.minimum || parameter.minimum->is_negative();
     double value =

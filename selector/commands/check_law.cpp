@@ -116,8 +116,21 @@ std::vector<Formula> moduli(const symgen::LawCheck& check) {
   return all;
 }
 
+/// A parameter's unit as the file has it, and as it is usually written.
+std::string unit_name(const symgen::Parameter& parameter) {
+  const std::string usual = symgen::unit_text(parameter.unit);
+  return usual == parameter.unit_name ? usual : fmt::format("{} = {}", parameter.unit_name, usual);
+}
+
 Json check_json(const symgen::Law& law, const symgen::LawCheck& check) {
   Json properties = Json::array(), stress = Json::object(), rest = Json::object();
+  Json parameters = Json::array(), terms = Json::array();
+  for (const symgen::Parameter& parameter : law.parameters) {
+    parameters.push_back({{"name", parameter.name}, {"unit", symgen::unit_text(parameter.unit)}});
+  }
+  for (const symgen::LawTerm& term : law.terms) {
+    terms.push_back({{"name", term.name}, {"unit", symgen::energy_unit}, {"energy", term.text}});
+  }
   for (const symgen::LawProperty& property : check.properties) {
     properties.push_back({{"name", property.name},
                           {"term", property.term.empty() ? Json(nullptr) : Json(property.term)},
@@ -140,15 +153,10 @@ Json check_json(const symgen::Law& law, const symgen::LawCheck& check) {
                       {"strains", symgen::digit_strains()},
                       {"digits", entry.digits}});
   }
-  return {{"law", law.name},
-          {"file", law.file},
-          {"holds", check.holds()},
-          {"properties", properties},
-          {"stress", stress},
-          {"moduli_at_rest", rest},
-          {"tangent_at_rest", tangent},
-          {"digits", digits},
-          {"notes", check.notes}};
+  return {{"law", law.name},          {"file", law.file},       {"holds", check.holds()},
+          {"parameters", parameters}, {"terms", terms},         {"properties", properties},
+          {"stress", stress},         {"moduli_at_rest", rest}, {"tangent_at_rest", tangent},
+          {"digits", digits},         {"notes", check.notes}};
 }
 
 /// The 6 x 6 tangent with its distinct entries named.
@@ -174,8 +182,12 @@ void print_rest_tangent(const std::vector<std::vector<GiNaC::ex>>& tangent) {
 
 void print_check(const symgen::Law& law, const symgen::LawCheck& check) {
   fmt::print("{} ({})\n", law.title.empty() ? law.name : law.title, law.file);
+  for (const symgen::Parameter& parameter : law.parameters) {
+    fmt::print("  parameter {} [{}]{}\n", parameter.name, unit_name(parameter),
+               parameter.description.empty() ? "" : ": " + parameter.description);
+  }
   for (const symgen::LawTerm& term : law.terms) {
-    fmt::print("  term {}: {}\n", term.name, term.text);
+    fmt::print("  term {} [{}]: {}\n", term.name, symgen::energy_unit, term.text);
   }
   fmt::print("\nstress, F = I + H, C = F^T*F, E = (C - I)/2:\n");
   for (const Formula& formula : formulas(check.stress)) {
@@ -210,6 +222,14 @@ void print_check(const symgen::Law& law, const symgen::LawCheck& check) {
   for (const std::string& note : check.notes) fmt::print("note: {}\n", note);
 }
 
+/// "own.toml:8: term 'shear'", or the file alone for what is of the whole law.
+std::string place_of(const symgen::Law& law, const std::string& name) {
+  const auto term = std::find_if(law.terms.begin(), law.terms.end(),
+                                 [&](const symgen::LawTerm& t) { return t.name == name; });
+  return term == law.terms.end() ? law.file
+                                 : fmt::format("{}:{}: term '{}'", law.file, term->line, name);
+}
+
 int run_check_law(const CheckLawOptions& options, const Context& context) {
   const symgen::Law law = symgen::parse_law(law_file(options.law, context));
   const symgen::LawCheck check = symgen::check_law(law);
@@ -221,9 +241,8 @@ int run_check_law(const CheckLawOptions& options, const Context& context) {
   std::fflush(stdout);  // before what follows on standard error
   for (const symgen::LawProperty& property : check.properties) {
     if (property.holds) continue;
-    fmt::print(stderr, "error: {}: {}'{}' fails: {}\n", law.file,
-               property.term.empty() ? "" : fmt::format("term '{}': ", property.term),
-               property.name, property.detail);
+    fmt::print(stderr, "error: {}: '{}' fails: {}\n", place_of(law, property.term), property.name,
+               property.detail);
   }
   return check.holds() ? 0 : 1;
 }
@@ -237,8 +256,8 @@ void add_check_law_command(CLI::App& app, Context& context) {
       "Of each term: zero energy and no stress at rest, and that rotations leave it as it is. Of\n"
       "the law: stress and tangent derived in two ways that must agree (in 3D and in plane\n"
       "strain), a symmetric tangent, positive definite at rest for all admissible parameters,\n"
-      "and the moduli that the file declares. Prints stress and tangent as formulas, the moduli\n"
-      "at rest, and how many digits small strains leave.\n"
+      "and the moduli that the file declares. Prints units, stress and tangent as formulas, the\n"
+      "moduli at rest, and how many digits small strains leave.\n"
       "Exit status: 0 all hold, 1 a property fails and is named, 2 the file cannot be read as a "
       "law.\n"
       "Examples:\n"

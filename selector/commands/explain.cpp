@@ -86,7 +86,7 @@ Json law_json(const symgen::Law& law) {
   Json parameters = Json::array();
   for (const symgen::Parameter& parameter : law.parameters) {
     parameters.push_back({{"name", parameter.name},
-                          {"unit", parameter.unit},
+                          {"unit", parameter.unit_name},
                           {"description", parameter.description},
                           {"from_young_poisson", parameter.from_young_poisson}});
   }
@@ -194,7 +194,7 @@ void print_explanation(const Explanation& explanation) {
     fmt::print("              term {}: {}\n", term.name, term.text);
   }
   for (const symgen::Parameter& parameter : law.parameters) {
-    fmt::print("              parameter {} [{}]{}\n", parameter.name, parameter.unit,
+    fmt::print("              parameter {} [{}]{}\n", parameter.name, parameter.unit_name,
                if_given(": ", parameter.description));
   }
   fmt::print("  element     {}, {} nodes\n", explanation.element.name,

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "runtime/error.h"
+#include "symgen/law/characters.h"
 #include "symgen/law/names.h"
 
 namespace elastogen::symgen {
@@ -78,9 +79,10 @@ std::vector<Token> tokenise(const std::string& text) {
       kind = TokenKind::name;
       while (end < text.size() && is_name_character(text[end])) ++end;
     } else if (std::string("+-*/^()").find(c) == std::string::npos) {
-      fail(text, fmt::format("column {}: '{}' cannot stand here; allowed are numbers, names and "
-                             "+ - * / ^ ( )",
-                             i + 1, c));
+      const std::string character = character_at(text, i);
+      fail(text, fmt::format("column {}: '{}' cannot stand here; allowed are numbers, names (ASCII "
+                             "letters, digits and '_') and + - * / ^ ( ){}",
+                             i + 1, character, in_ascii(character)));
     }
     tokens.push_back({kind, text.substr(i, end - i), i + 1});
     i = end;

@@ -2,19 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
 #include <string>
 
 #include "runtime/error.h"
+#include "symgen/law/expression_text.h"
 
 namespace elastogen::symgen {
 namespace {
-
-std::string text_of(const GiNaC::ex& expression) {
-  std::ostringstream out;
-  out << expression;
-  return out.str();
-}
 
 void check_number(const GiNaC::numeric& number) {
   static const GiNaC::numeric largest = GiNaC::numeric(10).power(100);
@@ -22,13 +16,14 @@ void check_number(const GiNaC::numeric& number) {
   if (!size.is_zero() && (size > largest || size < largest.inverse())) {
     throw InputError(fmt::format(
         "number {} is outside 1e-100 ... 1e100, what kernels can compute with; change the unit",
-        text_of(number)));
+        expression_text(number)));
   }
 }
 
-void check_power(const GiNaC::ex& base, const GiNaC::ex& exponent) {
+void check_power(const GiNaC::ex& power) {
+  const GiNaC::ex &base = power.op(0), &exponent = power.op(1);
   const auto fail = [&](const std::string& why) {
-    throw InputError(fmt::format("'({})^({})': {}", text_of(base), text_of(exponent), why));
+    throw InputError(fmt::format("'{}': {}", expression_text(power), why));
   };
   if (!GiNaC::is_a<GiNaC::numeric>(exponent) ||
       !GiNaC::ex_to<GiNaC::numeric>(exponent).is_rational()) {
@@ -59,7 +54,7 @@ void check_generable(const GiNaC::ex& term) {
     return;
   }
   if (GiNaC::is_a<GiNaC::power>(term)) {
-    check_power(term.op(0), term.op(1));
+    check_power(term);
     check_generable(term.op(0));
     return;
   }

@@ -14,6 +14,7 @@
 #include "symgen/law/names.h"
 #include "symgen/law/rest_state.h"
 #include "symgen/law/toml_fields.h"
+#include "symgen/law/units.h"
 #include "symgen/mechanics/invariants.h"
 
 namespace elastogen::symgen {
@@ -80,8 +81,31 @@ std::string describe(const std::string& kind, const toml::table& table, std::siz
   return name ? fmt::format("{} '{}'", kind, *name) : fmt::format("{} {}", kind, index + 1);
 }
 
-SymbolGroup young_and_poisson() {
-  return {"constants", {{"young", GiNaC::symbol("young")}, {"poisson", GiNaC::symbol("poisson")}}};
+/// An expression at a key, in a unit.
+GiNaC::ex read_expression(const TomlFields& fields, const std::string& key,
+                          const SymbolGroup& symbols, const std::vector<Quantity>& quantities,
+                          const std::string& unit) {
+  const std::string text = fields.required_text(key);
+  return at_key(fields, key, [&] {
+    const GiNaC::ex expression = parse_expression(text, {symbols});
+    check_unit(expression, quantities, unit);
+    return expression;
+  });
+}
+
+std::vector<Quantity> quantities_of(const std::vector<Parameter>& parameters) {
+  std::vector<Quantity> quantities;
+  for (const Parameter& parameter : parameters) {
+    quantities.push_back({parameter.symbol, parameter.unit});
+  }
+  return quantities;
+}
+
+GiNaC::ex read_young_poisson_formula(const TomlFields& fields, const Parameter& parameter) {
+  const SymbolGroup symbols{"constants",
+                            {{"young", young_modulus()}, {"poisson", poisson_ratio()}}};
+  return read_expression(fields, "from_young_poisson", symbols,
+                         {{young_modulus(), parse_unit("Pa")}}, parameter.unit_name);
 }
 
 void read_range(const TomlFields& fields, Parameter& parameter) {
@@ -122,32 +146,30 @@ Parameter read_parameter(const std::string& file, const toml::table& table, std:
     }
   }
   parameter.symbol = GiNaC::symbol(parameter.name);
-  parameter.unit = fields.required_text("unit");
-  if (parameter.unit != "Pa" && parameter.unit != "1") {
-    fields.fail("unit",
-                fmt::format("unit '{}': must be \"Pa\", or \"1\" for a plain number; values "
-                            "are taken in SI units",
-                            parameter.unit));
-  }
+  parameter.unit_name = fields.required_text("unit");
+  parameter.unit = at_key(fields, "unit", [&] { return parse_unit(parameter.unit_name); });
   parameter.description = fields.optional_text("description");
   read_range(fields, parameter);
   parameter.from_young_poisson = fields.optional_text("from_young_poisson");
   if (!parameter.from_young_poisson.empty()) {
-    (void)at_key(fields, "from_young_poisson", [&] {
-      return parse_expression(parameter.from_young_poisson, {young_and_poisson()});
-    });
+    parameter.young_poisson_formula = read_young_poisson_formula(fields, parameter);
   }
   return parameter;
 }
 
 LawTerm read_term(const std::string& file, const toml::table& table, std::size_t index,
-                  const std::vector<LawTerm>& before, const std::vector<SymbolGroup>& symbols) {
+                  const std::vector<LawTerm>& before, const std::vector<SymbolGroup>& symbols,
+                  const std::vector<Quantity>& quantities) {
   const TomlFields fields(file, table, describe("term", table, index), {"name", "energy"});
   LawTerm term;
   term.name = read_identifier(fields, names_of(before));
   term.text = fields.required_text("energy");
-  term.expression = at_key(fields, "energy", [&] { return parse_expression(term.text, symbols); });
-  at_key(fields, "energy", [&] { check_generable(term.expression); });
+  term.expression = at_key(fields, "energy", [&] {
+    const GiNaC::ex energy = parse_expression(term.text, symbols);
+    check_generable(energy);
+    check_unit(energy, quantities, energy_unit);
+    return energy;
+  });
   if (term.expression.normal().is_zero()) {
     fields.fail("energy", "the energy is zero for every deformation; remove the term");
   }
@@ -158,7 +180,8 @@ LawTerm read_term(const std::string& file, const toml::table& table, std::size_t
 
 /// [moduli], if the file has it.
 std::optional<DeclaredModuli> read_moduli(const TomlFields& law_fields, const std::string& file,
-                                          const toml::table& root, const SymbolGroup& parameters) {
+                                          const toml::table& root, const SymbolGroup& parameters,
+                                          const std::vector<Quantity>& quantities) {
   const toml::node* node = root.get("moduli");
   if (node == nullptr) return std::nullopt;
   if (!node->is_table()) {
@@ -166,8 +189,7 @@ std::optional<DeclaredModuli> read_moduli(const TomlFields& law_fields, const st
   }
   const TomlFields fields(file, *node->as_table(), "moduli", {"lambda", "mu"});
   const auto modulus = [&](const std::string& key) {
-    const std::string text = fields.required_text(key);
-    return at_key(fields, key, [&] { return parse_expression(text, {parameters}); });
+    return read_expression(fields, key, parameters, quantities, "Pa");
   };
   return DeclaredModuli{modulus("lambda"), modulus("mu")};
 }
@@ -233,15 +255,16 @@ Law parse_law(const std::filesystem::path& path) {
     law.parameters.push_back(read_parameter(file, *parameter_tables[i], i, law.parameters));
     parameter_symbols.symbols.emplace_back(law.parameters[i].name, law.parameters[i].symbol);
   }
-  law.moduli = read_moduli(fields, file, root, parameter_symbols);
+  const std::vector<Quantity> quantities = quantities_of(law.parameters);
+  law.moduli = read_moduli(fields, file, root, parameter_symbols, quantities);
   SymbolGroup invariant_symbols{"invariants", {}};
   for (const Invariant& invariant : invariants()) {
     invariant_symbols.symbols.emplace_back(invariant.name, invariant.symbol);
   }
   const std::vector<const toml::table*> term_tables = fields.required_tables("term");
   for (std::size_t i = 0; i < term_tables.size(); ++i) {
-    law.terms.push_back(
-        read_term(file, *term_tables[i], i, law.terms, {parameter_symbols, invariant_symbols}));
+    law.terms.push_back(read_term(file, *term_tables[i], i, law.terms,
+                                  {parameter_symbols, invariant_symbols}, quantities));
   }
   check_all_parameters_used(file, law, parameter_tables);
   law.polynomial = std::all_of(law.terms.begin(), law.terms.end(), [](const LawTerm& term) {

@@ -12,6 +12,9 @@
 
 namespace elastogen::symgen {
 
+/// What every term's energy must come out in: energy per rest volume.
+inline constexpr const char* energy_unit = "J/m^3";
+
 /// One term of the energy, stress-free at rest by itself.
 struct LawTerm {
   std::string name;      ///< an identifier

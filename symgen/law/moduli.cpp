@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <random>
 
-#include "symgen/law/expression.h"
 #include "symgen/law/expression_text.h"
+#include "symgen/law/rest_state.h"
 
 namespace elastogen::symgen {
 namespace {
@@ -14,27 +14,16 @@ namespace {
 using GiNaC::ex;
 using GiNaC::numeric;
 
-bool admits(const Parameter& parameter, const ex& value) {
-  const ex number = value.evalf();
-  if (!GiNaC::is_a<numeric>(number) || !GiNaC::ex_to<numeric>(number).is_real()) return false;
-  const numeric real = GiNaC::ex_to<numeric>(number);
-  const auto lies_beyond = [](const numeric& inner, const numeric& outer, bool exclusive) {
-    return inner < outer || (exclusive && inner == outer);
-  };
-  return !(parameter.minimum &&
-           lies_beyond(real, *parameter.minimum, parameter.minimum_exclusive)) &&
-         !(parameter.maximum &&
-           lies_beyond(-real, -*parameter.maximum, parameter.maximum_exclusive));
-}
-
 bool admits_all(const Law& law, const GiNaC::exmap& values) {
-  return std::all_of(law.parameters.begin(), law.parameters.end(),
-                     [&](const Parameter& p) { return admits(p, values.at(p.symbol)); });
+  return std::all_of(law.parameters.begin(), law.parameters.end(), [&](const Parameter& p) {
+    const ex number = values.at(p.symbol).evalf();
+    return GiNaC::is_a<numeric>(number) && GiNaC::ex_to<numeric>(number).is_real() &&
+           is_admissible(p, GiNaC::ex_to<numeric>(number));
+  });
 }
 
 std::vector<ParameterSample> samples_by_young_poisson(const Law& law) {
-  const YoungPoisson constants;
-  const GiNaC::exmap formulas = constants.parameters(law);
+  const GiNaC::exmap formulas = parameters_of_young_poisson(law);
   std::vector<ParameterSample> samples;
   for (const numeric& poisson :
        {numeric(1, 4), numeric(3, 10), numeric(2, 5), numeric(49, 100), numeric(4999, 10000),
@@ -43,7 +32,7 @@ std::vector<ParameterSample> samples_by_young_poisson(const Law& law) {
     try {
       for (const auto& [symbol, formula] : formulas) {
         sample.values[symbol] =
-            formula.subs(GiNaC::exmap{{constants.young, 1}, {constants.poisson, poisson}});
+            formula.subs(GiNaC::exmap{{young_modulus(), 1}, {poisson_ratio(), poisson}});
       }
     } catch (const std::exception&) {  // GiNaC's, at a pole: no such material
       continue;
@@ -74,7 +63,7 @@ std::vector<numeric> candidates_of(const Parameter& parameter) {
   } else {
     all = {1, small, large, 0, -1, -small, -large};
   }
-  std::erase_if(all, [&](const numeric& value) { return !admits(parameter, value); });
+  std::erase_if(all, [&](const numeric& value) { return !is_admissible(parameter, value); });
   return all;
 }
 
@@ -136,6 +125,16 @@ bool is_positive_sum(const ex& sum, const Law& law) {
 
 }  // namespace
 
+std::vector<ex> rest_tangent_of(const Law& law) {
+  std::vector<ex> tangent(81, 0);
+  for (const LawTerm& term : law.terms) {
+    const std::vector<ex> part = rest_tangent(term.expression);
+    if (part.empty()) return {};
+    for (std::size_t c = 0; c < tangent.size(); ++c) tangent[c] += part[c];
+  }
+  return tangent;
+}
+
 RestModuli moduli_of(const std::vector<ex>& tangent) {
   const auto entry = [&](int i, int j, int k, int l) {
     return tangent[static_cast<std::size_t>((i * 3 + j) * 9 + k * 3 + l)];
@@ -148,15 +147,15 @@ bool follows_from_young_poisson(const Law& law) {
                       [](const Parameter& p) { return p.from_young_poisson.empty(); });
 }
 
-RestModuli YoungPoisson::moduli() const {
+RestModuli moduli_of_young_poisson() {
+  const ex &young = young_modulus(), &poisson = poisson_ratio();
   return {young * poisson / ((1 + poisson) * (1 - 2 * poisson)), young / (2 * (1 + poisson))};
 }
 
-GiNaC::exmap YoungPoisson::parameters(const Law& law) const {
+GiNaC::exmap parameters_of_young_poisson(const Law& law) {
   GiNaC::exmap formulas;
   for (const Parameter& parameter : law.parameters) {
-    formulas[parameter.symbol] = parse_expression(
-        parameter.from_young_poisson, {{"constants", {{"young", young}, {"poisson", poisson}}}});
+    formulas[parameter.symbol] = parameter.young_poisson_formula;
   }
   return formulas;
 }

@@ -16,19 +16,22 @@ struct RestModuli {
   GiNaC::ex lambda, mu;
 };
 
-/// @param tangent  of `rest_tangent`, summed over the law's terms
+/// Tangent dP/dH at H = 0 of all terms, [(i * 3 + j) * 9 + k * 3 + l]; empty where it is not
+/// finite.
+[[nodiscard]] std::vector<GiNaC::ex> rest_tangent_of(const Law& law);
+
+/// @param tangent  of `rest_tangent_of`, not empty
 [[nodiscard]] RestModuli moduli_of(const std::vector<GiNaC::ex>& tangent);
 
 /// True if all parameters follow from Young's modulus and Poisson's ratio.
 [[nodiscard]] bool follows_from_young_poisson(const Law& law);
 
-/// Symbols `young` and `poisson` and the Lame parameters that they mean.
-struct YoungPoisson {
-  GiNaC::symbol young = GiNaC::symbol("young"), poisson = GiNaC::symbol("poisson");
-  [[nodiscard]] RestModuli moduli() const;
-  /// Expressions for the parameters' symbols. @pre follows_from_young_poisson(law)
-  [[nodiscard]] GiNaC::exmap parameters(const Law& law) const;
-};
+/// The Lame parameters that Young's modulus and Poisson's ratio mean, over their symbols.
+[[nodiscard]] RestModuli moduli_of_young_poisson();
+
+/// What the parameters' symbols are in Young's modulus and Poisson's ratio.
+/// @pre follows_from_young_poisson(law)
+[[nodiscard]] GiNaC::exmap parameters_of_young_poisson(const Law& law);
 
 /// Admissible parameter values and how they were chosen.
 struct ParameterSample {

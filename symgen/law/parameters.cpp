@@ -1,46 +1,44 @@
 #include "symgen/law/parameters.h"
 
-#include <cln/cln.h>
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "runtime/error.h"
-#include "symgen/law/expression.h"
+#include "symgen/dag/evaluate.h"
 #include "symgen/law/law.h"
 #include "symgen/law/names.h"
 
 namespace elastogen::symgen {
 namespace {
 
-GiNaC::numeric exact_value_of(double value) {
-  return GiNaC::numeric(cln::rational(cln::cl_DF(value)));
-}
+GiNaC::numeric exact_number(double value) { return GiNaC::numeric(exact_value(value)); }
 
-/// A parameter as a function of `young` and `poisson`.
-struct Derived {
-  GiNaC::symbol young = GiNaC::symbol("young");
-  GiNaC::symbol poisson = GiNaC::symbol("poisson");
-  GiNaC::ex expression;
-
-  explicit Derived(const Parameter& parameter)
-      : expression(parse_expression(parameter.from_young_poisson,
-                                    {{"constants", {{"young", young}, {"poisson", poisson}}}})) {}
-
-  /// @throws std::exception  (GiNaC's) at a pole
-  [[nodiscard]] GiNaC::ex at(const GiNaC::ex& young_value, const GiNaC::ex& poisson_value) const {
-    return expression.subs(GiNaC::exmap{{young, young_value}, {poisson, poisson_value}}).evalf();
+/// A parameter as it follows from Young's modulus and Poisson's ratio.
+/// @return  nothing where it has no real value
+std::optional<GiNaC::numeric> derived_number(const Parameter& parameter,
+                                             const GiNaC::numeric& young,
+                                             const GiNaC::numeric& poisson) {
+  try {
+    const GiNaC::ex value =
+        parameter.young_poisson_formula
+            .subs(GiNaC::exmap{{young_modulus(), young}, {poisson_ratio(), poisson}})
+            .evalf();
+    if (GiNaC::is_a<GiNaC::numeric>(value) && GiNaC::ex_to<GiNaC::numeric>(value).is_real()) {
+      return GiNaC::ex_to<GiNaC::numeric>(value);
+    }
+  } catch (const std::exception&) {  // GiNaC's, at a pole
   }
-};
+  return std::nullopt;
+}
 
 /// Names of the parameters that have a pole where Poisson's ratio is at the bound.
 std::vector<std::string> unbounded_parameters(const Law& law, const GiNaC::numeric& bound) {
   std::vector<std::string> names;
   for (const Parameter& parameter : law.parameters) {
-    if (parameter.from_young_poisson.empty()) continue;
-    try {
-      (void)Derived(parameter).at(1, bound);
-    } catch (const std::exception&) {
+    if (!parameter.from_young_poisson.empty() && !derived_number(parameter, 1, bound)) {
       names.push_back(parameter.name);
     }
   }
@@ -71,18 +69,23 @@ double derived_value(const Law& law, const Parameter& parameter, double young, d
                     "poisson; give the law's own parameters",
                     parameter.name, law.name));
   }
-  try {
-    const GiNaC::ex value = Derived(parameter).at(exact_value_of(young), exact_value_of(poisson));
-    if (GiNaC::is_a<GiNaC::numeric>(value) && GiNaC::ex_to<GiNaC::numeric>(value).is_real()) {
-      return GiNaC::ex_to<GiNaC::numeric>(value).to_double();
-    }
-  } catch (const std::exception&) {
-    // A pole; said below.
+  const std::optional<GiNaC::numeric> value =
+      derived_number(parameter, exact_number(young), exact_number(poisson));
+  if (!value) {
+    throw InputError(
+        fmt::format("parameter '{}' of law '{}', {}, has no real value at young = {}, "
+                    "poisson = {}",
+                    parameter.name, law.name, parameter.from_young_poisson, young, poisson));
   }
-  throw InputError(
-      fmt::format("parameter '{}' of law '{}', {}, has no real value at young = {}, "
-                  "poisson = {}",
-                  parameter.name, law.name, parameter.from_young_poisson, young, poisson));
+  const double rounded = value->to_double();
+  if (!std::isnormal(rounded) && !value->is_zero()) {
+    throw InputError(fmt::format(
+        "young = {}, poisson = {}: parameter '{}' of law '{}' is too {} for double "
+        "precision, whose numbers keep their digits from {:.3g} to {:.3g}",
+        young, poisson, parameter.name, law.name, std::isfinite(rounded) ? "small" : "large",
+        std::numeric_limits<double>::min(), std::numeric_limits<double>::max()));
+  }
+  return rounded;
 }
 
 /// "in (0, 5]", "> 0", "<= 1".
@@ -102,6 +105,18 @@ std::string range_text(const Parameter& parameter) {
   return fmt::format("{} {}", parameter.maximum_exclusive ? "<" : "<=", number(*parameter.maximum));
 }
 
+}  // namespace
+
+const GiNaC::symbol& young_modulus() {
+  static const GiNaC::symbol symbol("young");
+  return symbol;
+}
+
+const GiNaC::symbol& poisson_ratio() {
+  static const GiNaC::symbol symbol("poisson");
+  return symbol;
+}
+
 bool is_admissible(const Parameter& parameter, const GiNaC::numeric& value) {
   if (parameter.minimum && (value < *parameter.minimum ||
                             (parameter.minimum_exclusive && value == *parameter.minimum))) {
@@ -110,8 +125,6 @@ bool is_admissible(const Parameter& parameter, const GiNaC::numeric& value) {
   return !(parameter.maximum && (value > *parameter.maximum ||
                                  (parameter.maximum_exclusive && value == *parameter.maximum)));
 }
-
-}  // namespace
 
 std::vector<double> parameters_from_young_poisson(const Law& law, double young, double poisson) {
   if (!std::isfinite(young) || young <= 0) {
@@ -134,13 +147,15 @@ void check_parameters(const Law& law, const std::vector<double>& values) {
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Parameter& parameter = law.parameters[i];
-    if (!std::isfinite(values[i])) {
-      throw InputError(fmt::format("{} = {}: must be a finite number [{}] for law '{}'",
-                                   parameter.name, values[i], parameter.unit, law.name));
-    }
-    if (!is_admissible(parameter, exact_value_of(values[i]))) {
+    const auto fail = [&](const std::string& what) {
       throw InputError(fmt::format("{} = {}: must be {} [{}] for law '{}'", parameter.name,
-                                   values[i], range_text(parameter), parameter.unit, law.name));
+                                   values[i], what, parameter.unit_name, law.name));
+    };
+    if (!std::isfinite(values[i])) fail("a finite number");
+    if (!is_admissible(parameter, exact_number(values[i]))) fail(range_text(parameter));
+    if (std::fpclassify(values[i]) == FP_SUBNORMAL) {
+      fail(fmt::format("0 or at least {:.3g} in size, where double precision has all its digits",
+                       std::numeric_limits<double>::min()));
     }
   }
 }

@@ -43,6 +43,11 @@ TEST_F(LawFile, WithAnUnknownKey) {
   expect_law_error("sorce = \"none\"\n" + law("mu", "mu*trE2"), {"mine.toml:1", "sorce", "source"});
 }
 
+TEST_F(LawFile, WithAnEnergyInAWrongUnit) {
+  expect_law_error("source = \"none\"\n" + law("mu", "mu^2*trE2"),
+                   {"mine.toml:10", "'mu^2*trE2' is in Pa^2", "must be in J/m^3"});
+}
+
 TEST_F(LawFile, ThatIsNoToml) { expect_law_error("name = \n", {"mine.toml:1"}); }
 
 }  // namespace

@@ -96,7 +96,8 @@ TEST(PositiveDefinite, FailsAtABoundThatBelongsToTheRange) {
 }
 
 TEST(PositiveDefinite, IsMeasuredWhereRootsOfParametersStandInTheWay) {
-  const LawCheck check = check_text(law_text("mu*sqrt(1 + lambda)*trE2 + lambda^(1/2)*trE^2"));
+  const LawCheck check =
+      check_text(law_text("mu*sqrt(1 + lambda/mu)*trE2 + sqrt(lambda*mu)*trE^2"));
   EXPECT_EQ(failures(check), Names{});
   EXPECT_EQ(property(check, "positive definite at rest").evidence, Evidence::measured);
 }

@@ -46,16 +46,33 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownParameterKey", "unit", "units",
                 "own.toml:5: parameter 'mu': unknown key 'units'; did you mean 'unit'?"},
         Mistake{"UnknownUnit", "unit = \"Pa\"", "unit = \"kPa\"",
-                "own.toml:5: parameter 'mu': unit 'kPa': must be \"Pa\", or \"1\""},
+                "own.toml:5: parameter 'mu': unit: \"kPa\": 'kPa' has a prefix, and values are "
+                "taken in SI units without one: write Pa and give values in it (1 kPa = 1e3 Pa)"},
+        Mistake{"EnergyInWrongUnit", "mu*trE2", "mu*trE2 + 2*mu^2*trE^2",
+                "own.toml:11: term 'shear': energy: '2*mu^2*trE^2' is in Pa^2 (mu is in Pa), must "
+                "be in J/m^3 (Pa): multiply it by something in 1/Pa"},
+        Mistake{"EnergyWithoutModulus", "mu*trE2", "mu*trE2 + trE^2",
+                "own.toml:11: term 'shear': energy: 'trE^2' is a plain number, must be in J/m^3 "
+                "(Pa): multiply it by a parameter in Pa"},
+        Mistake{"ExponentialOfStress", "mu*trE2", "mu*(exp(mu*trE2) - 1)",
+                "own.toml:11: term 'shear': energy: in 'exp(mu*trE2)', the argument 'mu*trE2' is "
+                "in Pa, must be a plain number"},
+        Mistake{
+            "ParameterInWrongUnit", "unit = \"Pa\"", "unit = \"Pa*s\"",
+            "own.toml:8: parameter 'mu': from_young_poisson: '1/2*young/(1 + poisson)' is in Pa "
+            "(young is in Pa), must be in Pa*s: multiply it by something in s"},
+        Mistake{"ModuliInWrongUnit", "[[term]]",
+                "[moduli]\nlambda = \"0\"\nmu = \"mu^2\"\n[[term]]",
+                "own.toml:11: moduli: mu: 'mu^2' is in Pa^2 (mu is in Pa), must be in Pa"},
         Mistake{"LeadingUnderscore", "name = \"mu\"", "name = \"_mu\"",
                 "own.toml:4: parameter '_mu': name '_mu' is no identifier: use a letter"},
         Mistake{"UnknownTermKey", "energy", "energie",
                 "own.toml:11: term 'shear': unknown key 'energie'; did you mean 'energy'?"},
         Mistake{"SymbolicExponent", "mu*trE2", "mu*(J^mu - 1)^2",
-                "own.toml:11: term 'shear': energy: '(J)^(mu)': an exponent must be a rational "
+                "own.toml:11: term 'shear': energy: 'J^mu': an exponent must be a rational "
                 "number"},
         Mistake{"HugeExponent", "mu*trE2", "mu*trE2^5000",
-                "own.toml:11: term 'shear': energy: '(trE2)^(5000)': an exponent p/q must have "
+                "own.toml:11: term 'shear': energy: 'trE2^5000': an exponent p/q must have "
                 "|p| <= 1000"},
         Mistake{"HugeNumber", "mu*trE2", "mu*trE2*1e200",
                 "own.toml:11: term 'shear': energy: number 1000"},
@@ -111,6 +128,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "own.toml:11: term 'shear': energy: \"mu*tre2\": unknown symbol 'tre2' at column "
                 "4; did you mean 'trE2'?; allowed are parameters mu; invariants trE, trE2, tr_eps, "
                 "tr_eps2, I1, I2, I3, J; functions log, sqrt, exp"},
+        Mistake{"GreekLetter", "mu*trE2", "µ*trE2",
+                "own.toml:11: term 'shear': energy: \"µ*trE2\": column 1: 'µ' cannot stand here; "
+                "allowed are numbers, names (ASCII letters, digits and '_') and + - * / ^ ( ); "
+                "write mu for it"},
         Mistake{"DoesNotParse", "mu*trE2", "mu*(trE2",
                 "own.toml:11: term 'shear': energy: \"mu*(trE2\": 1 closing ')' missing"},
         Mistake{"YoungPoissonDoesNotParse", "2*(1 + poisson)", "2*(1 + nu)",

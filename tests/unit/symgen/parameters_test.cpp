@@ -115,6 +115,33 @@ TEST(CheckParameters, KeepsRanges) {
   }
 }
 
+TEST(CheckParameters, RefuseWhatHasLostItsDigits) {
+  const Law law = law_with_range("minimum = 0");
+  EXPECT_EQ(message_of([&] { check_parameters(law, {1e-310}); }),
+            "k = 1e-310: must be 0 or at least 2.23e-308 in size, where double precision has all "
+            "its digits [Pa] for law 'own'");
+  EXPECT_NO_THROW(check_parameters(law, {0}));
+  EXPECT_NO_THROW(check_parameters(law, {std::numeric_limits<double>::min()}));
+}
+
+TEST(ParametersFromYoungPoisson, RefuseModuliBeyondDoublePrecision) {
+  const Law stvk = shipped_law("stvk");
+  const auto message = [&](double young, double poisson) {
+    return message_of([&] { (void)parameters_from_young_poisson(stvk, young, poisson); });
+  };
+  EXPECT_NO_THROW((void)parameters_from_young_poisson(stvk, 1e-300, 0.25));
+  EXPECT_EQ(message(1e-310, 0.25),
+            "young = 1e-310, poisson = 0.25: parameter 'lambda' of law 'stvk' is too small for "
+            "double precision, whose numbers keep their digits from 2.23e-308 to 1.8e+308");
+  EXPECT_EQ(message(1e-310, 0).find(
+                "young = 1e-310, poisson = 0: parameter 'mu' of law 'stvk' is too small"),
+            0U);
+  EXPECT_EQ(
+      message(1e308, 0.4999)
+          .find("young = 1e+308, poisson = 0.4999: parameter 'lambda' of law 'stvk' is too large"),
+      0U);
+}
+
 TEST(CheckParameters, RefusesWhatIsNotFinite) {
   const Law law = law_with_range("");
   EXPECT_EQ(message_of([&] { check_parameters(law, {NAN}); }),
