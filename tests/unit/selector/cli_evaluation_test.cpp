@@ -92,7 +92,9 @@ const KernelTable<double>& spring_table() {
                                             names,
                                             nullptr,
                                             1,
-                                            variants};
+                                            variants,
+                                            {},
+                                            {}};
   return table;
 }
 

@@ -70,6 +70,29 @@ Positions straightened(const Element& element, Positions positions) {
   return positions;
 }
 
+/// Mass matrices of the reference shape, as projections onto nodes take them at
+/// KernelTable::rich_points.
+TEST(RichestRule, IntegratesProductsOfTwoShapeFunctions) {
+  for (const std::string& name : element_names()) {
+    SCOPED_TRACE(name);
+    const Element& element = find_element(name);
+    const Quadrature& rule = richest_quadrature(name);
+    const ex& first = element.shape_functions.front();
+    for (const ex& other : {first, element.shape_functions[1], element.shape_functions.back()}) {
+      const ex product = (first * other).normal();
+      ExactNumber sum;
+      for (std::size_t g = 0; g < rule.points.size(); ++g) {
+        GiNaC::exmap at;
+        for (std::size_t k = 0; k < element.coordinates.size(); ++k) {
+          at[element.coordinates[k]] = rule.points[g][k];
+        }
+        sum = sum + exact_value(rule.weights[g]) * exact_value(product.subs(at));
+      }
+      EXPECT_EQ(sum, exact_value(integrate_over_reference(element, product)));
+    }
+  }
+}
+
 TEST_P(EveryRule, HasItsPointsInsideAndPositiveWeights) {
   EXPECT_EQ(rule().num_points(), GetParam().num_points);
   ASSERT_EQ(rule().points.size(), rule().weights.size());
