@@ -8,12 +8,14 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "runtime/error.h"
 #include "selector/io/atomic_file.h"
 #include "selector/scene/fingerprint.h"
 #include "selector/scene/interrupt.h"
 #include "selector/scene/located_error.h"
+#include "selector/scene/model_warnings.h"
 #include "selector/scene/static_run.h"
 #include "selector/scene/summary.h"
 #include "selector/scene/write_results.h"
@@ -229,6 +231,9 @@ int run(const RunOptions& options, const Context& context) {
   const Mesh& mesh = problem.mesh.mesh;
   context.tell(fmt::format("mesh: {} elements, {} nodes", mesh.num_elements(), mesh.num_nodes()));
   summary.warnings = mesh_warnings(problem.mesh);
+  for (std::string& warning : material_warnings(problem)) {
+    summary.warnings.push_back(std::move(warning));
+  }
   for (const std::string& warning : summary.warnings) warn(warning);
   check_can_be_written(summary.folder);
   summary.times.mesh = watch.lap();
