@@ -163,8 +163,8 @@ struct KernelTable {
   NodalPassFunction<Scalar> nodal_pass;
   std::int32_t num_variants;  ///< the first is always "general"
   const VariantTable<Scalar>* variants;
-  ReferencePoints points;       ///< those of the quadrature, in its order
-  ReferencePoints rich_points;  ///< of a rule that is exact for products of two shape functions
+  ReferencePoints points{};       ///< those of the quadrature, in its order
+  ReferencePoints rich_points{};  ///< of a rule that is exact for products of two shape functions
 };
 
 }  // namespace elastogen

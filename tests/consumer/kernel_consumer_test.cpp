@@ -15,12 +15,19 @@ namespace fs = std::filesystem;
 
 class KernelConsumer : public ::testing::Test {
  protected:
-  KernelConsumer() {
+  /// One build serves all tests.
+  static void SetUpTestSuite() {
+    folder_.emplace();
     fs::copy(ELASTOGEN_SOURCE_DIR "/laws", laws());
     project_.emplace(ELASTOGEN_SOURCE_DIR "/tests/consumer/kernels",
                      std::vector<std::string>{"-DCMAKE_PREFIX_PATH=" + installed_package().string(),
                                               "-DLAWS=" + laws().string(),
                                               "-DELASTOGEN_KERNEL_FLAGS=-O0;-Wno-psabi"});
+    (void)project_->build();
+  }
+  static void TearDownTestSuite() {
+    project_.reset();
+    folder_.reset();
   }
 
   /// Times of the generated sources and of the objects compiled from them, by file.
@@ -45,14 +52,13 @@ class KernelConsumer : public ::testing::Test {
     selector::write_text_file(file, text);
   }
 
-  [[nodiscard]] fs::path laws() const { return folder_.path() / "laws"; }
+  [[nodiscard]] static fs::path laws() { return folder_->path() / "laws"; }
 
-  selector::TemporaryFolder folder_;
-  std::optional<CmakeProject> project_;
+  static inline std::optional<selector::TemporaryFolder> folder_;
+  static inline std::optional<CmakeProject> project_;
 };
 
 TEST_F(KernelConsumer, RebuildsExactlyTheKernelsOfAChangedLaw) {
-  (void)project_->build();
   // As wide as this machine's vectors; twice as many floats as doubles.
   const std::string lanes = output_of({(project_->folder() / "consumer").string()});
   const std::set<std::string> possible = {"hooke-tet4-q1-none 2\nstvk-tet4-q1-none 4\n",
@@ -84,7 +90,6 @@ TEST_F(KernelConsumer, RebuildsExactlyTheKernelsOfAChangedLaw) {
 }
 
 TEST_F(KernelConsumer, HasABuildForEachInstructionSet) {
-  (void)project_->build();
 #if defined(__x86_64__)
   const selector::ProcessResult run = selector::run_process(
       {(project_->folder() / "consumer").string()},

@@ -8,6 +8,7 @@
 
 #include "symgen/element/element.h"
 #include "symgen/quadrature/quadrature.h"
+#include "tested_kernels.h"
 
 namespace elastogen::test {
 
@@ -111,6 +112,12 @@ std::vector<std::string> unsplit_associations() {
     }
   }
   for (const std::string& id : quadratic_associations()) ids.push_back(id);
+  return ids;
+}
+
+std::vector<std::string> unsplit_tested() {
+  std::vector<std::string> ids = unsplit_associations();
+  std::erase_if(ids, [](const std::string& id) { return !is_tested(id); });
   return ids;
 }
 

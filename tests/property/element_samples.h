@@ -35,6 +35,10 @@ void make_rigid_motion(symgen::ElementCase& sample, int dim, double angle);
 /// Every law x element x quadrature, unsplit.
 [[nodiscard]] std::vector<std::string> unsplit_associations();
 
+/// Those of them whose kernels are compiled for the tests: a covering sample, or in the catalogue
+/// all.
+[[nodiscard]] std::vector<std::string> unsplit_tested();
+
 /// Those of quadratic elements among them: a few, since they are large.
 [[nodiscard]] std::vector<std::string> quadratic_associations();
 
