@@ -13,7 +13,7 @@ packages=(
   libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libvtk9-dev libgmsh-dev
   libsqlite3-dev libsuitesparse-dev libopenblas0-serial gnuplot-nox      # command line
 )
-test_packages=(valgrind libgtest-dev ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd)
+test_packages=(valgrind libgtest-dev python3-meshio ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd)
 
 usage() {
   sed -n '2,6s/^# \{0,1\}//p' "$0"
