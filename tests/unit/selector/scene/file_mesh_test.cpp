@@ -52,7 +52,7 @@ TEST(FileMesh, HasTheDimensionsOfItsElements) {
   expect_contains(error_of(in_space(scene_of(plate, "default"))), "are in a plane scene");
 }
 
-// Two halves that nothing joins. Node 46 of the file stands where node 3 does.
+// Two halves that nothing joins: the nodes at x = 1 are there twice.
 TEST(FileMesh, SaysThatPartsMayBeMeantToBeOne) {
   const std::string vtk = error_of(in_space(scene_of(data("doubled.vtk"), "default")));
   expect_contains(vtk, "the part with node 3 (the mesh has 2 parts)");
