@@ -14,7 +14,7 @@ packages=(
   libsqlite3-dev libsuitesparse-dev libopenblas0-serial gnuplot-nox      # command line
 )
 test_packages=(
-  valgrind libgtest-dev ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd
+  valgrind libgtest-dev python3-meshio ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd
   clang libomp-dev                # compiles as well
 )
 

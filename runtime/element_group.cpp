@@ -88,6 +88,7 @@ ElementGroup<Scalar> make_element_group(const Mesh& mesh,
   group.num_nodes = source.table->num_nodes;
   group.lanes = source.table->lanes;
   group.density = source.density;
+  group.numbers = mesh.numbers;
   for (const double p : source.parameters) group.parameters.push_back(static_cast<Scalar>(p));
   group.num_elements = source.elements.size();
 

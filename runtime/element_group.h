@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -55,6 +56,7 @@ struct ElementGroup {
   AlignedVector<Scalar> positions;
   AlignedVector<Scalar> constants;
   AlignedVector<Scalar> state;
+  std::shared_ptr<const MeshNumbers> numbers;  ///< the mesh's
 
   /// Lanes of a batch that hold an element of their own.
   [[nodiscard]] int used_lanes(std::size_t batch) const {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +24,11 @@ struct ElementBlock {
   }
 };
 
+/// By which messages call nodes and elements: those of a mesh file.
+struct MeshNumbers {
+  std::vector<std::uint64_t> nodes, elements;
+};
+
 /// A mesh of mixed blocks. Positions are node-major: positions[dim * node + component], metres.
 /// Elements are numbered through the blocks in order, from 0. A plane mesh (dim 2) is a body in
 /// plane strain, 1 m thick: its volumes, masses, energies and forces are those of that thickness.
@@ -31,7 +37,16 @@ struct Mesh {
   std::vector<double> positions;
   std::vector<ElementBlock> blocks;
   std::vector<std::string> region_names;
+  std::shared_ptr<const MeshNumbers> numbers = nullptr;  ///< null: messages count from 0
 
+  /// What messages call a node.
+  [[nodiscard]] std::uint64_t node_number(std::size_t node) const {
+    return numbers ? numbers->nodes[node] : node;
+  }
+  /// What messages call an element.
+  [[nodiscard]] std::uint64_t element_number(std::size_t element) const {
+    return numbers ? numbers->elements[element] : element;
+  }
   [[nodiscard]] std::size_t num_nodes() const {
     return positions.size() / static_cast<std::size_t>(dim);
   }

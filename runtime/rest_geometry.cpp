@@ -216,12 +216,17 @@ std::string element_text(const ElementGroup<Scalar>& group, const NodeNumbering&
                          std::size_t k) {
   const std::size_t lanes = static_cast<std::size_t>(group.lanes);
   const std::size_t nodes = static_cast<std::size_t>(group.num_nodes);
+  Mesh named;
+  named.numbers = group.numbers;
   std::string list;
   for (std::size_t a = 0; a < nodes; ++a) {
     const std::int32_t dof = group.dofs[(k / lanes * nodes + a) * lanes + k % lanes];
-    list += fmt::format(" {}", numbering.node_of_mesh(dof / group.dim));
+    const std::int32_t node = numbering.node_of_mesh(dof / group.dim);
+    list += fmt::format(" {}", named.node_number(static_cast<std::size_t>(node)));
   }
-  return fmt::format("element {} ({}, nodes{})", group.elements[k], group.table->element, list);
+  return fmt::format("element {} ({}, nodes{})",
+                     named.element_number(static_cast<std::size_t>(group.elements[k])),
+                     group.table->element, list);
 }
 
 template const VariantTable<double>* find_variant(const KernelTable<double>&, const std::string&);

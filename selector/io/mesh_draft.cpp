@@ -8,13 +8,14 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <span>
 
 #include "runtime/error.h"
+#include "selector/io/coincident_nodes.h"
 #include "selector/io/element_topology.h"
-#include "selector/io/gmsh_elements.h"
 #include "selector/io/mesh_faces.h"
+#include "selector/io/mesh_formats.h"
+#include "selector/mesh_readers/gmsh_elements.h"
 
 namespace elastogen::selector {
 namespace {
@@ -143,11 +144,12 @@ void check_coordinates(const std::filesystem::path& file, const MeshDraft& draft
     }
   }
   if (high[2] - low[2] > 1e-9 * std::max(high[0] - low[0], high[1] - low[1])) {
+    const std::string_view volumes = mesh_format(file).volumes;
     throw InputError(fmt::format(
         "{}: it has triangles and quadrilaterals, but no solid elements, and z goes from {} to {}: "
         "a surface in space cannot be computed; mesh the volume (gmsh: -3), or lay it in the x-y "
-        "plane",
-        file.string(), low[2], high[2]));
+        "plane{}{}",
+        file.string(), low[2], high[2], volumes.empty() ? "" : "; ", volumes));
   }
 }
 
@@ -166,16 +168,14 @@ void check_repeated(const std::filesystem::path& file, MeshDraft& draft) {
       }
       const auto [first, is_new] = seen.emplace(std::move(key), elements.numbers[e]);
       if (is_new) continue;
-      throw InputError(fmt::format(
-          "{}: elements {} and {} have the same nodes: remove one (a msh 2 file repeats an "
-          "element for each physical group that it is in: keep the groups of solids apart)",
-          file.string(), first->second, elements.numbers[e]));
+      throw InputError(fmt::format("{}: elements {} and {} have the same nodes: remove one",
+                                   file.string(), first->second, elements.numbers[e]));
     }
   }
 }
 
 /// Joins lists to blocks, in the order of first appearance.
-void make_blocks(const MeshDraft& draft, MeshFile& result) {
+void make_blocks(const MeshDraft& draft, MeshFile& result, MeshNumbers& all_numbers) {
   Mesh& mesh = result.mesh;
   std::map<std::array<std::string, 3>, std::size_t> block_of;
   std::vector<std::vector<std::uint64_t>> numbers;
@@ -201,13 +201,13 @@ void make_blocks(const MeshDraft& draft, MeshFile& result) {
     own.insert(own.end(), elements.numbers.begin(), elements.numbers.end());
   }
   for (const auto& own : numbers) {
-    result.element_numbers.insert(result.element_numbers.end(), own.begin(), own.end());
+    all_numbers.elements.insert(all_numbers.elements.end(), own.begin(), own.end());
   }
 }
 
 /// Numbers the nodes that elements have, -1 for others, and sets the positions.
 std::vector<std::int32_t> number_nodes(const std::filesystem::path& file, const MeshDraft& draft,
-                                       MeshFile& result) {
+                                       MeshFile& result, MeshNumbers& file_numbers) {
   std::vector<std::int32_t> numbers(draft.node_numbers.size(), -1);
   for (const ElementBlock& block : result.mesh.blocks) {
     for (const std::int32_t node : block.nodes) numbers[static_cast<std::size_t>(node)] = 0;
@@ -216,6 +216,7 @@ std::vector<std::int32_t> number_nodes(const std::filesystem::path& file, const 
   for (std::size_t node = 0; node < numbers.size(); ++node) {
     if (numbers[node] < 0) continue;
     numbers[node] = next++;
+    file_numbers.nodes.push_back(draft.node_numbers[node]);
     const Point point = point_of(draft, static_cast<std::int32_t>(node));
     result.mesh.positions.insert(result.mesh.positions.end(), point.begin(),
                                  point.begin() + draft.dim);
@@ -269,33 +270,17 @@ void check_faces(const std::filesystem::path& file, const MeshFile& mesh) {
   throw InputError(
       fmt::format("{}: a face of element {} belongs to more than two elements ({} such faces): "
                   "elements overlap",
-                  file.string(), mesh.element_numbers[element], matching.overused.size()));
+                  file.string(), mesh.mesh.element_number(element), matching.overused.size()));
 }
 
-/// Nodes at the same place are legal (a crack), but mostly a mesh that was never joined.
-void note_coincident_nodes(const std::filesystem::path& file, const MeshDraft& draft,
-                           const std::vector<std::int32_t>& numbers, MeshFile& result) {
-  double extent = 0;
-  for (const double x : draft.coordinates) extent = std::max(extent, std::abs(x));
-  const double grid = 1e-9 * extent;
-  std::map<std::array<double, 3>, std::size_t> first_at;
-  std::optional<std::pair<std::size_t, std::size_t>> example;
-  std::size_t count = 0;
-  for (std::size_t node = 0; node < numbers.size(); ++node) {
-    if (numbers[node] < 0 || grid == 0) continue;
-    Point cell = point_of(draft, static_cast<std::int32_t>(node));
-    for (double& x : cell) x = std::round(x / grid);
-    const auto [entry, is_new] = first_at.emplace(cell, node);
-    if (is_new) continue;
-    ++count;
-    if (!example) example = {entry->second, node};
-  }
-  if (!example) return;
+void note_coincident_nodes(const std::filesystem::path& file, MeshFile& result) {
+  const CoincidentNodes found = find_coincident_nodes(result.mesh);
+  if (found.count == 0) return;
   result.notes.push_back(fmt::format(
-      "{}: {} nodes lie where another node does (nodes {} and {} first): the body is not joined "
-      "there; if it should be, merge them (gmsh: Coherence Mesh;)",
-      file.filename().string(), count, draft.node_numbers[example->first],
-      draft.node_numbers[example->second]));
+      "{}: {} nodes lie on another node (node {} on node {} first): the body is not joined there; "
+      "if it should be, merge them ({})",
+      file.filename().string(), found.count, result.mesh.node_number(found.first[1]),
+      result.mesh.node_number(found.first[0]), mesh_format(file).merge));
 }
 
 }  // namespace
@@ -307,11 +292,13 @@ MeshFile finish_mesh(const std::filesystem::path& file, MeshDraft draft) {
   MeshFile result;
   result.mesh.dim = draft.dim;
   result.notes = draft.notes;
-  make_blocks(draft, result);
-  const std::vector<std::int32_t> numbers = number_nodes(file, draft, result);
+  MeshNumbers file_numbers;
+  make_blocks(draft, result, file_numbers);
+  const std::vector<std::int32_t> numbers = number_nodes(file, draft, result, file_numbers);
+  result.mesh.numbers = std::make_shared<const MeshNumbers>(std::move(file_numbers));
   take_boundaries(file, draft, numbers, result);
   check_faces(file, result);
-  note_coincident_nodes(file, draft, numbers, result);
+  note_coincident_nodes(file, result);
   return result;
 }
 

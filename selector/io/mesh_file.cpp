@@ -2,30 +2,43 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "runtime/error.h"
-#include "selector/io/gmsh_mesh.h"
-#include "selector/io/gmsh_process.h"
+#include "selector/io/abaqus_mesh.h"
+#include "selector/io/mesh_draft.h"
+#include "selector/io/mesh_formats.h"
+#include "selector/io/mesh_groups.h"
+#include "selector/io/reader_process.h"
 #include "selector/io/thesis_mesh.h"
-#include "selector/support/names.h"
 
 namespace elastogen::selector {
 
-MeshFile read_mesh_file(const std::filesystem::path& file) {
-  static const std::vector<std::string> by_gmsh = {".msh", ".vtk", ".mesh", ".unv"};
-  static const std::vector<std::string> all = {".msh", ".vtk", ".mesh", ".unv", ".obj"};
-  const std::string extension = file.extension().string();
-  if (std::find(all.begin(), all.end(), extension) == all.end()) {
-    throw InputError(fmt::format("{}: the extension '{}' is of no mesh format{}; these are: {}",
-                                 file.string(), extension, did_you_mean(extension, all),
-                                 join(all, ", ")));
-  }
+MeshFile read_mesh_file(const std::filesystem::path& file, const MeshFileOptions& options) {
+  const MeshFormat& format = mesh_format(file);
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {
     throw InputError(fmt::format("{}: there is no such file", file.string()));
   }
-  return extension == ".obj" ? read_thesis_mesh(file) : make_gmsh_mesh(file, read_with_gmsh(file));
+  if (!options.region_array.empty() && format.reader != MeshReader::vtk) {
+    throw InputError(
+        fmt::format("{}: regions = \"{}\" names a cell array, which only .vtk and .vtu files have; "
+                    "in this file regions are its groups",
+                    file.string(), options.region_array));
+  }
+  RawMesh raw;
+  switch (format.reader) {
+    case MeshReader::thesis:
+      return read_thesis_mesh(file);
+    case MeshReader::abaqus:
+      raw = read_abaqus_mesh(file);
+      break;
+    case MeshReader::gmsh:
+      raw = read_with(MeshLibrary::gmsh, file);
+      break;
+    case MeshReader::vtk:
+      raw = read_with(MeshLibrary::vtk, file, options.region_array);
+      break;
+  }
+  return finish_mesh(file, make_draft(file, raw, options.regions));
 }
 
 }  // namespace elastogen::selector

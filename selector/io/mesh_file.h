@@ -1,5 +1,5 @@
-// Mesh files: msh 2 and 4, vtk, mesh and unv by the gmsh library; and the triple of files (.obj,
-// .element, .info) of X. Faure's thesis.
+// Mesh files: msh 2 and 4, mesh and unv by the gmsh library; vtk and vtu by VTK; decks of Abaqus
+// and CalculiX (inp); and the triple of files (.obj, .element, .info) of X. Faure's thesis.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +21,17 @@ struct MeshBoundary {
 /// A mesh as a file has it. Its elements are right: of a kind that can be computed, with a volume
 /// greater than 0, none twice, no face of more than two.
 struct MeshFile {
-  Mesh mesh;  ///< a block for each element type of each region; node order of symgen/element
+  Mesh mesh;  ///< a block for each element type of each region; node order of symgen/element;
+              ///< `numbers` are the file's
   std::vector<MeshBoundary> boundaries;
-  std::vector<std::uint64_t> element_numbers;  ///< the file's, in the order of `mesh`
-  std::vector<std::string> associations;       ///< of each block, where the file names them
-  std::vector<std::string> notes;              ///< what was left out or mended
+  std::vector<std::string> associations;  ///< of each block, where the file names them
+  std::vector<std::string> notes;         ///< what was left out or mended
+};
+
+/// What a scene says of its mesh file.
+struct MeshFileOptions {
+  std::vector<std::string> regions;  ///< that the scene names
+  std::string region_array;          ///< .vtk and .vtu: the cell array; empty: a well-known one
 };
 
 /// Region of elements that are in no group.
@@ -33,12 +39,15 @@ inline constexpr const char* default_region = "default";
 
 /// Reads a file; its extension says the format.
 ///
-/// Physical groups of the highest dimension are regions, those of lower ones boundaries; a group
-/// without a name is called by its number. In .mesh files the references are the groups; .vtk files
-/// have none. A mesh is solid if it has solid elements, else plane: then z must be the same
-/// everywhere. Nodes of no element are left out, with a note.
+/// Groups of elements of the highest dimension are regions, those of lower ones boundaries; a group
+/// without a name is called by its number. Groups are physical groups (.msh, .unv), references
+/// (.mesh), the values of a cell array (.vtk, .vtu), or ELSETs, NSETs and SURFACEs (.inp). Elements
+/// in several groups are of the region that `options.regions` names. A mesh is solid if it has
+/// solid elements, else plane: then z must be the same everywhere. Nodes of no element are left
+/// out, with a note.
 /// @throws InputError  naming the file, what is wrong in it by its own numbers, and the remedy
 /// @throws WorkError   when the program that reads for us is missing
-[[nodiscard]] MeshFile read_mesh_file(const std::filesystem::path& file);
+[[nodiscard]] MeshFile read_mesh_file(const std::filesystem::path& file,
+                                      const MeshFileOptions& options = {});
 
 }  // namespace elastogen::selector

@@ -1,6 +1,7 @@
 #include "selector/io/vtu.h"
 
 #include <fmt/format.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -8,9 +9,11 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
+
+#include <limits>
 
 #include "runtime/error.h"
 #include "selector/io/element_topology.h"
@@ -63,9 +66,12 @@ void add_labels(const ElementLabels& labels, std::size_t num_elements, vtkUnstru
   for (const std::int32_t value : labels.values) array->InsertNextValue(value);
   grid.GetCellData()->AddArray(array);
 
-  vtkNew<vtkStringArray> names;
+  // Bytes: readers other than VTK's refuse files with strings.
+  vtkNew<vtkUnsignedCharArray> names;
   names->SetName((labels.name + "_names").c_str());
-  for (const std::string& name : labels.names) names->InsertNextValue(name);
+  for (const std::string& name : labels.names) {
+    for (const char c : name + "\n") names->InsertNextValue(static_cast<unsigned char>(c));
+  }
   grid.GetFieldData()->AddArray(names);
 }
 
@@ -99,8 +105,13 @@ void write_vtu(const std::filesystem::path& file, const Mesh& mesh, const VtuFie
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(grid);
   writer->WriteToOutputStringOn();
-  // zlib and base 64 take longer than the step that is written.
-  writer->SetCompressorTypeToLZ4();
+  // The numbers as they are (docs/decisions/0020): meshio does not read LZ4, zlib takes longer than
+  // the step that is written.
+  writer->SetCompressorTypeToNone();
+  writer->SetHeaderTypeToUInt64();
+  if (grid->GetCells()->GetNumberOfConnectivityIds() <= std::numeric_limits<std::int32_t>::max()) {
+    writer->SetIdTypeToInt32();
+  }
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   if (writer->Write() != 1) {

@@ -23,7 +23,7 @@ struct ElementField {
   std::span<const double> values;
 };
 
-/// A choice per element: values[element] is an index into `names`.
+/// A choice per element: values[element] is an index into `names`, which have no line breaks.
 struct ElementLabels {
   std::string name;
   std::vector<std::int32_t> values;
@@ -39,8 +39,8 @@ struct VtuFields {
 
 /// Writes the mesh at rest with its fields as a binary VTK XML unstructured grid, atomically.
 /// Fields become point and cell data under their names; labels become integer cell data NAME and
-/// the string array NAME_names in the field data (names[value]). Warping by the point data
-/// "displacement" shows the deformed shape.
+/// the bytes NAME_names in the field data: UTF-8, a line for each value from 0 on. Warping by the
+/// point data "displacement" shows the deformed shape.
 /// @throws InternalError  when a field's size does not fit the mesh
 /// @throws WorkError      when the file cannot be written
 void write_vtu(const std::filesystem::path& file, const Mesh& mesh, const VtuFields& fields);

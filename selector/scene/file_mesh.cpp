@@ -8,6 +8,7 @@
 
 #include "runtime/error.h"
 #include "selector/io/mesh_faces.h"
+#include "selector/io/mesh_formats.h"
 #include "selector/scene/located_error.h"
 #include "selector/support/names.h"
 
@@ -63,14 +64,7 @@ void check_all_used(const ElementChoice& choice, const std::set<std::string>& us
 }  // namespace
 
 SceneMesh make_file_mesh(const MeshFileDescription& description) {
-  MeshFile file = with_location(description.where, description.path + ".file",
-                                [&] { return read_mesh_file(description.file); });
-  if (file.mesh.dim != description.dim) {
-    throw InputError(fmt::format(
-        "{}: {}.file: the mesh has {} dimensions, but the scene has {}: set {}.dim = {}",
-        description.where, description.path, file.mesh.dim, description.dim, description.path,
-        file.mesh.dim));
-  }
+  MeshFile file = *description.mesh;
   for (double& x : file.mesh.positions) x *= description.scale;
   check_regions(description, file.mesh);
 
@@ -107,8 +101,9 @@ SceneMesh make_file_mesh(const MeshFileDescription& description) {
   result.unequal_faces = matching.unequal.size();
   result.mesh = std::move(file.mesh);
   result.boundaries = std::move(file.boundaries);
-  result.element_numbers = std::move(file.element_numbers);
   result.notes = std::move(file.notes);
+  result.boundary_advice = mesh_format(description.file).boundaries;
+  result.merge_advice = mesh_format(description.file).merge;
   return result;
 }
 

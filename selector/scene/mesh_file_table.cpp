@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "selector/io/mesh_formats.h"
 #include "selector/scene/located_error.h"
 
 namespace elastogen::selector {
@@ -49,18 +50,28 @@ MeshPartDescription read_part(const TomlTable& table) {
   return {table.string("region"), table.where("region"), std::move(*choice)};
 }
 
+/// A given `dim` is a check on the file.
+void check_dimension(const TomlTable& table, const MeshFileDescription& mesh) {
+  if (!table.has("dim")) return;
+  const int dim = table.integer("dim", 2);
+  if (dim > 3) table.fail("dim", "must be 2 (plane strain) or 3");
+  if (dim == mesh.mesh->mesh.dim) return;
+  const std::string_view volumes = mesh_format(mesh.file).volumes;
+  table.fail("dim", dim == 2
+                        ? "the mesh file has solid elements: remove dim, or set it to 3"
+                        : fmt::format("the mesh file has no solid elements, so it is plane: remove "
+                                      "dim, set it to 2, or mesh the volume{}{}",
+                                      volumes.empty() ? "" : "; ", volumes));
+}
+
 }  // namespace
 
-MeshFileDescription read_mesh_file_table(const TomlTable& table) {
-  table.allow_only({"file", "dim", "scale", "law", "split", "associations", "part"});
+MeshFileDescription read_mesh_file_table(const TomlTable& table, std::vector<std::string> regions) {
+  table.allow_only({"file", "dim", "scale", "regions", "law", "split", "associations", "part"});
   MeshFileDescription mesh;
   mesh.path = table.path();
   mesh.where = table.where("file");
   mesh.file = std::filesystem::absolute(table.file()).parent_path() / table.string("file");
-  if (table.has("dim")) {
-    mesh.dim = table.integer("dim", 2);
-    if (mesh.dim > 3) table.fail("dim", "must be 2 (plane strain) or 3");
-  }
   if (table.has("scale")) mesh.scale = table.number("scale", positive_number);
   mesh.choice = read_choice(table);
   for (const TomlTable& part : table.tables("part")) {
@@ -69,7 +80,14 @@ MeshFileDescription read_mesh_file_table(const TomlTable& table) {
     const auto same = std::count_if(mesh.parts.begin(), mesh.parts.end(),
                                     [&](const auto& p) { return p.region == region; });
     if (same > 1) part.fail("region", "another part has this region: a region has one");
+    regions.push_back(region);
   }
+  MeshFileOptions options{std::move(regions), ""};
+  if (table.has("regions")) options.region_array = table.string("regions");
+  mesh.mesh = with_location(mesh.where, mesh.path + ".file", [&] {
+    return std::make_shared<const MeshFile>(read_mesh_file(mesh.file, options));
+  });
+  check_dimension(table, mesh);
   return mesh;
 }
 

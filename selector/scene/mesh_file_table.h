@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "selector/io/mesh_file.h"
 #include "selector/scene/toml_table.h"
 #include "symgen/pipeline.h"
 
@@ -32,13 +34,16 @@ struct MeshFileDescription {
   std::string path;   ///< "mesh"
   std::string where;  ///< "scene.toml:14": the file's key, for messages
   std::filesystem::path file;
-  int dim = 3;                          ///< 2: a plane mesh; checked against the file
-  double scale = 1;                     ///< metres per unit of the file
-  std::optional<ElementChoice> choice;  ///< of regions without a part
+  std::shared_ptr<const MeshFile> mesh;  ///< what it holds, in its units
+  double scale = 1;                      ///< metres per unit of the file
+  std::optional<ElementChoice> choice;   ///< of regions without a part
   std::vector<MeshPartDescription> parts;
 };
 
+/// Reads the table and the file: the dimensions of all else in the scene are those of its mesh.
+/// @param regions  that the scene's materials name
 /// @throws InputError  with file, line, what was found and what is allowed
-[[nodiscard]] MeshFileDescription read_mesh_file_table(const TomlTable& table);
+[[nodiscard]] MeshFileDescription read_mesh_file_table(const TomlTable& table,
+                                                       std::vector<std::string> regions);
 
 }  // namespace elastogen::selector

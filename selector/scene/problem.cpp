@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "runtime/error.h"
+#include "selector/io/coincident_nodes.h"
 #include "selector/io/displacement_field.h"
 #include "selector/scene/located_error.h"
 #include "selector/scene/materials.h"
@@ -85,14 +86,26 @@ SelectedConstraints select_constraints(const Scene& scene, const SceneMesh& mesh
 
 /// Two constraints may fix the same node, or move it to the same place with the load. What has a
 /// course of its own, a rotation or a history, must be alone.
+///
+/// @param node  its number in messages
 void check_alone(const ConstraintDescription& one, const ConstraintDescription& other,
-                 std::int32_t node) {
+                 std::uint64_t node) {
   const auto has_own_course = [](const auto& d) { return d.rotation || d.history; };
   if (!has_own_course(one) && !has_own_course(other)) return;
   throw InputError(fmt::format(
       "{}: constraint: node {} is selected here and by the constraint of {}, and one of the two "
       "moves in a course of its own: select it once",
       other.nodes.where, node, one.nodes.where));
+}
+
+void check_equal(const ConstraintDescription& one, const ConstraintDescription& other,
+                 std::size_t component, std::uint64_t node) {
+  if (one.displacement[component] == other.displacement[component]) return;
+  throw InputError(fmt::format(
+      "{}: constraint: along {} node {} is given the displacement {} here and {} by the constraint "
+      "of {}: give it one",
+      other.nodes.where, "xyz"[component], node, *other.displacement[component],
+      one.displacement[component].value_or(0), one.nodes.where));
 }
 
 Constraints make_constraints(const SelectedConstraints& selected, const Mesh& mesh) {
@@ -105,7 +118,11 @@ Constraints make_constraints(const SelectedConstraints& selected, const Mesh& me
         const std::optional<double>& value = description->displacement[c];
         if (!value) continue;
         const ConstraintDescription*& owner = owners[dim * static_cast<std::size_t>(node) + c];
-        if (owner) check_alone(*owner, *description, node);
+        if (owner) {
+          const std::uint64_t number = mesh.node_number(static_cast<std::size_t>(node));
+          check_alone(*owner, *description, number);
+          check_equal(*owner, *description, c, number);
+        }
         owner = description;
         with_location(description->nodes.where, "constraint", [&] {
           constraints.prescribe(static_cast<std::size_t>(node), static_cast<int>(c), *value);
@@ -134,7 +151,19 @@ PrescribedMotion make_motion(const SelectedConstraints& selected, const Mesh& me
   return motion;
 }
 
-void check_held(const Scene& scene, const Mesh& mesh, const Constraints& constraints) {
+/// Where nodes lie on each other, the parts of a body may have been meant to be one.
+std::string advice_on_coincident_nodes(const SceneMesh& mesh) {
+  const CoincidentNodes found = find_coincident_nodes(mesh.mesh);
+  if (found.count == 0) return "";
+  return fmt::format(
+      "; {} nodes lie on another node (node {} on node {} first), where the body is "
+      "not joined: if it should be, merge them{}",
+      found.count, mesh.mesh.node_number(found.first[1]), mesh.mesh.node_number(found.first[0]),
+      mesh.merge_advice.empty() ? "" : " (" + mesh.merge_advice + ")");
+}
+
+void check_held(const Scene& scene, const SceneMesh& scene_mesh, const Constraints& constraints) {
+  const Mesh& mesh = scene_mesh.mesh;
   const std::string remedy =
       "fix enough with [[constraint]], for instance a whole face: "
       "plane = { x = 0 }, fixed = " +
@@ -148,12 +177,13 @@ void check_held(const Scene& scene, const Mesh& mesh, const Constraints& constra
     throw InputError(fmt::format(
         "{}: the constraints leave {} of the {} rigid motions of {}, for example {}: statics has "
         "no "
-        "answer; {}",
+        "answer; {}{}",
         scene.file.string(), motion.count, mesh.dim == 2 ? 3 : 6,
         motion.num_parts == 1 ? "the body"
                               : fmt::format("the part with node {} (the mesh has {} parts)",
-                                            motion.node, motion.num_parts),
-        motion.example, remedy));
+                                            mesh.node_number(motion.node), motion.num_parts),
+        motion.example, remedy,
+        motion.num_parts == 1 ? "" : advice_on_coincident_nodes(scene_mesh)));
   }
 }
 
@@ -209,7 +239,7 @@ Problem prepare(const Scene& scene, const std::vector<std::filesystem::path>& la
   const SelectedConstraints selected = select_constraints(scene, mesh);
   Constraints constraints = make_constraints(selected, mesh.mesh);
   PrescribedMotion motion = make_motion(selected, mesh.mesh, constraints);
-  if (!scene.dynamics) check_held(scene, mesh.mesh, constraints);
+  if (!scene.dynamics) check_held(scene, mesh, constraints);
   std::vector<NodalForce> forces = make_forces(scene, mesh);
   std::vector<SurfaceLoad> surface_loads = make_surface_loads(scene, mesh);
   std::vector<Probe> probes;

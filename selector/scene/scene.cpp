@@ -327,13 +327,25 @@ MeasureSettings read_measure(const TomlTable& scene, bool has_solid_bar) {
   return measure;
 }
 
-/// A bar without width is plane, a mesh is what its first block is.
-int dimension_of(const TomlTable& scene) {
+/// Regions that materials name.
+std::vector<std::string> regions_of_materials(const TomlTable& scene) {
+  std::vector<std::string> regions;
+  const TomlTable materials = scene.table("material");
+  for (const std::string& name : materials.keys()) {
+    const TomlTable material = materials.table(name);
+    if (!material.has("regions")) regions.push_back(name);
+    if (!material.has("regions")) continue;
+    for (const std::string& region : material.strings("regions")) regions.push_back(region);
+  }
+  return regions;
+}
+
+/// A bar without width is plane, a mesh is what its file or first block is.
+int dimension_of(const Scene& description, const TomlTable& scene) {
+  if (description.mesh_file) return description.mesh_file->mesh->mesh.dim;
   if (scene.has("sphere")) return 3;
   if (scene.has("bar")) return scene.table("bar").has("width") ? 3 : 2;
-  const TomlTable mesh = scene.table("mesh");
-  if (mesh.has("file")) return read_mesh_file_table(mesh).dim;
-  const std::vector<TomlTable> blocks = mesh.tables("block");
+  const std::vector<TomlTable> blocks = scene.table("mesh").tables("block");
   return blocks.empty() ? 3 : symgen::find_element(read_association(blocks[0]).element).dim;
 }
 
@@ -369,21 +381,17 @@ Scene read_scene(const std::filesystem::path& file) {
   if (table.has("bar") + table.has("sphere") + table.has("mesh") != 1) {
     table.fail("a scene needs a [bar], a [sphere] or a [mesh], and only one of them");
   }
-  scene.dim = dimension_of(table);
-  if (table.has("gravity")) scene.gravity = table.vector("gravity", scene.dim);
-  if (table.has("bar")) scene.bar = read_bar(table.table("bar"), scene.dim);
-  if (table.has("sphere")) scene.sphere = read_sphere(table.table("sphere"));
-  if (table.has("mesh")) {
-    const TomlTable mesh = table.table("mesh");
-    if (mesh.has("file")) {
-      scene.mesh_file = read_mesh_file_table(mesh);
-    } else {
-      scene.mesh = read_mesh(mesh, scene.dim);
-    }
-  }
   if (!table.has("material")) {
     table.fail("there is no material: add [material.NAME] with density, young and poisson");
   }
+  if (table.has("mesh") && table.table("mesh").has("file")) {
+    scene.mesh_file = read_mesh_file_table(table.table("mesh"), regions_of_materials(table));
+  }
+  scene.dim = dimension_of(scene, table);
+  if (table.has("gravity")) scene.gravity = table.vector("gravity", scene.dim);
+  if (table.has("bar")) scene.bar = read_bar(table.table("bar"), scene.dim);
+  if (table.has("sphere")) scene.sphere = read_sphere(table.table("sphere"));
+  if (table.has("mesh") && !scene.mesh_file) scene.mesh = read_mesh(table.table("mesh"), scene.dim);
   if (table.has("dynamics")) scene.dynamics = read_dynamics(table.table("dynamics"), scene.dim);
   scene.materials = read_materials(table.table("material"), scene.dynamics.has_value());
 

@@ -165,7 +165,8 @@ struct Scene {
   [[nodiscard]] bool has_steps() const { return dynamics || solver.load_steps > 1; }
 };
 
-/// Reads a scene file and checks all that can be checked without laws and mesh.
+/// Reads a scene file, and the mesh file that it names, and checks all that can be checked without
+/// laws.
 /// @throws InputError  with file, line, what was found and what is allowed
 [[nodiscard]] Scene read_scene(const std::filesystem::path& file);
 

@@ -30,8 +30,9 @@ struct SceneMesh {
   std::size_t split_quadrilaterals = 0;                  ///< quadrilaterals that meet two triangles
   std::size_t unequal_faces = 0;         ///< both sides of faces of unequal nodes between corners
   std::vector<MeshBoundary> boundaries;  ///< of a sphere or a mesh file
-  std::vector<std::uint64_t> element_numbers;  ///< the mesh file's; so is the next
-  std::vector<std::string> notes;              ///< what was left out or mended
+  std::vector<std::string> notes;        ///< what was left out or mended in a mesh file
+  std::string boundary_advice;           ///< what a boundary is in the mesh file; so is the next
+  std::string merge_advice;              ///< how nodes that lie on each other become one
 };
 
 /// Number of a region in mesh.region_names, added where it is new.

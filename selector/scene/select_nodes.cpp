@@ -17,15 +17,19 @@ const MeshBoundary& find_boundary(const SceneMesh& mesh, const NodeSelection& se
     if (boundary.name == selection.boundary) return boundary;
     names.push_back(boundary.name);
   }
+  const std::vector<std::string>& regions = mesh.mesh.region_names;
+  const bool is_region =
+      std::find(regions.begin(), regions.end(), selection.boundary) != regions.end();
+  const std::string advice =
+      (is_region ? "; the region of this name is no boundary" : "") +
+      (mesh.boundary_advice.empty() ? "" : "; a boundary is " + mesh.boundary_advice);
   if (names.empty()) {
-    throw InputError(fmt::format(
-        "{}: {}: the mesh has no boundaries: they are groups of faces, edges or points in a mesh "
-        "file; select by plane or box",
-        selection.where, selection.description));
+    throw InputError(fmt::format("{}: {}: the mesh has no boundaries: select by plane or box{}",
+                                 selection.where, selection.description, advice));
   }
-  throw InputError(fmt::format("{}: {}: the mesh has none of this name{}; it has: {}",
+  throw InputError(fmt::format("{}: {}: the mesh has none of this name{}; it has: {}{}",
                                selection.where, selection.description,
-                               did_you_mean(selection.boundary, names), join(names, ", ")));
+                               did_you_mean(selection.boundary, names), join(names, ", "), advice));
 }
 
 std::vector<std::int32_t> select_nodes(const SceneMesh& scene_mesh,

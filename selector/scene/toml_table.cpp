@@ -175,7 +175,7 @@ std::array<double, 3> TomlTable::vector(std::string_view key, int dim) const {
   if (values.size() != static_cast<std::size_t>(dim)) {
     fail(key, fmt::format("must have {} components, not {}: the scene is {}",
                           dim == 2 ? "the 2" : "the 3", values.size(),
-                          dim == 2 ? "plane, with x and y" : "in space, with x, y and z"));
+                          dim == 2 ? "plane, with x and y: its body has no solids" : "in space, with x, y and z"));
   }
   std::array<double, 3> vector{};
   std::copy(values.begin(), values.end(), vector.begin());

@@ -306,5 +306,42 @@ TEST_F(Run, PlaneBarOfTrianglesAndQuadrilateralsCarriesItsWeight) {
   EXPECT_TRUE(std::filesystem::exists(out() / "result.vtu"));
 }
 
+// The mesh is the same in every version (VtkFile.HoldsTheSameMeshInEveryVersion); what is right was
+// computed by an independent Newton program.
+TEST_F(Run, TakesAMeshFromVtkAndItsOwnResultAsAMesh) {
+  const std::string scene = R"(gravity = [0.0, 0.0, -9.81]
+[mesh]
+file = "FILE"
+law = "neo_hookean"
+split = "none"
+[material.default]
+density = 1000.0
+young = 1e6
+poisson = 0.3
+[[constraint]]
+plane = { x = 0.0 }
+fixed = ["x", "y", "z"]
+[[probe]]
+name = "tip"
+plane = { x = 2.0 }
+[output]
+write = ["vtu"]
+)";
+  const std::filesystem::path mesh =
+      std::filesystem::path(ELASTOGEN_TEST_DATA) / "meshes" / "beam51b.vtk";
+  const auto expect_tip = [&](const std::filesystem::path& file) {
+    const ProcessResult result = run_scene(write(replaced_once(scene, "FILE", file.string())));
+    ASSERT_EQ(result.exit_status, 0) << result.output;
+    const nlohmann::json tip = summary()["probes"][0]["displacement"];
+    EXPECT_NEAR(tip[0], -0.011646, 5e-7);
+    EXPECT_NEAR(tip[1], 0, 5e-7);
+    EXPECT_NEAR(tip[2], -0.242399, 5e-7);
+  };
+  expect_tip(mesh);
+  const std::filesystem::path result = out().parent_path() / "mesh.vtu";
+  std::filesystem::rename(out() / "result.vtu", result);
+  expect_tip(result);
+}
+
 }  // namespace
 }  // namespace elastogen::selector

@@ -11,11 +11,12 @@
 
 #include "../scene/element_measures.h"
 #include "../temporary_folder.h"
+#include "mesh_file_errors.h"
 #include "mesh_writer.h"
 #include "runtime/error.h"
 #include "selector/io/element_topology.h"
-#include "selector/io/gmsh_elements.h"
 #include "selector/io/mesh_faces.h"
+#include "selector/mesh_readers/gmsh_elements.h"
 #include "selector/support/files.h"
 
 namespace elastogen::selector {
@@ -24,22 +25,6 @@ namespace elastogen::selector {
 inline void PrintTo(const GmshElement& element, std::ostream* out) { *out << element.element; }
 
 namespace {
-
-/// The message of the InputError that reading throws; empty if it throws none.
-std::string error_of(const std::filesystem::path& file) {
-  try {
-    (void)read_mesh_file(file);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-void expect_words(const std::string& message, const std::vector<std::string>& words) {
-  for (const std::string& word : words) {
-    EXPECT_NE(message.find(word), std::string::npos) << "'" << word << "' is not in: " << message;
-  }
-}
 
 class MeshFiles : public testing::Test {
  protected:
@@ -56,7 +41,7 @@ class MeshFiles : public testing::Test {
     return file("mesh.msh");
   }
   void expect_error(const WrittenMesh& mesh, const std::vector<std::string>& words) const {
-    expect_words(error_of(write(mesh)), words);
+    expect_words(error_of_file(write(mesh)), words);
   }
 
  private:
@@ -158,8 +143,11 @@ TEST_P(EveryFormat, GivesGroupsWhereItHasThem) {
   using Regions = std::set<std::string>;
   switch (GetParam().format) {
     case MeshFormat::vtk:
-      EXPECT_EQ(regions, Regions{"default"});
-      EXPECT_TRUE(boundaries.empty());
+      // Gmsh writes its entities, each group having one here.
+      EXPECT_EQ(regions, (Regions{"5", "6"}));
+      EXPECT_EQ(boundaries.size(), 2U);
+      EXPECT_EQ(boundaries["3"], (std::pair<std::size_t, std::size_t>(4, 1)));
+      EXPECT_EQ(boundaries["4"], (std::pair<std::size_t, std::size_t>(4, 2)));
       break;
     case MeshFormat::mesh:
       EXPECT_EQ(regions.size(), 2U);
@@ -276,7 +264,7 @@ INSTANTIATE_TEST_SUITE_P(All, EveryElement, testing::ValuesIn(solids()));
 
 TEST_F(MeshFiles, NumberElementsAndNodesAsTheFileDoes) {
   const MeshFile read = read_mesh_file(write(house()));
-  EXPECT_EQ(read.element_numbers, (std::vector<std::uint64_t>{1, 2, 3, 4}));
+  EXPECT_EQ(read.mesh.numbers->elements, (std::vector<std::uint64_t>{1, 2, 3, 4}));
   EXPECT_EQ(read.mesh.num_nodes(), 12U);
   EXPECT_EQ(match_faces(read.mesh).boundary.size(), 6 + 5 + 5 + 4 - 2 * 3U);
 }
@@ -305,7 +293,7 @@ TEST_F(MeshFiles, SayWhereNodesLieOnOthers) {
   const MeshFile read = read_mesh_file(write(mesh));
   ASSERT_EQ(read.notes.size(), 1U);
   expect_words(read.notes[0],
-               {"1 nodes lie where another node does", "nodes 2 and 13", "Coherence"});
+               {"1 nodes lie on another node (node 13 on node 2 first)", "Coherence Mesh"});
 }
 
 TEST_F(MeshFiles, PutUngroupedSolidsIntoTheDefaultRegion) {
@@ -446,8 +434,8 @@ TEST_F(MeshFiles, MayMixLinearAndQuadraticElements) {
   EXPECT_EQ(surface_faces(matching).size(), 10U);
 }
 
-TEST_F(MeshFiles, RefuseASolidInTwoGroups) {
-  const std::string text = R"($MeshFormat
+/// A tetrahedron in two groups.
+const std::string two_levels = R"($MeshFormat
 4.1 0 8
 $EndMeshFormat
 $PhysicalNames
@@ -477,7 +465,54 @@ $Elements
 1 1 2 3 4
 $EndElements
 )";
-  expect_words(error_of(write("two.msh", text)), {"two.msh: element 1", "'all' and 'part'"});
+
+TEST_F(MeshFiles, TakeOfSeveralGroupsTheOneThatTheSceneNames) {
+  const auto file = write("two.msh", two_levels);
+  for (const char* name : {"all", "part"}) {
+    EXPECT_EQ(read_mesh_file(file, {{name, "other"}, ""}).mesh.region_names,
+              std::vector<std::string>{name});
+  }
+  expect_words(error_of_file(file), {"two.msh: element 1 is in the groups 'all' and 'part'",
+                                     "of which the scene names none"});
+  expect_words(error_of_file(file, {{"part", "all"}, ""}),
+               {"two.msh: element 1 is in the groups 'all' and 'part'",
+                "of which the scene names more than one"});
+}
+
+// Where elements are in several groups, msh 2 lists them once for each.
+TEST_F(MeshFiles, TakeAnElementOnceThatMsh2Repeats) {
+  const std::string text = R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+2
+3 1 "all"
+3 2 "part"
+$EndPhysicalNames
+$Nodes
+4
+1 0 0 0
+2 1 0 0
+3 0 1 0
+4 0 0 1
+$EndNodes
+$Elements
+2
+1 4 2 1 1 1 2 3 4
+2 4 2 2 1 1 2 3 4
+$EndElements
+)";
+  const MeshFile read = read_mesh_file(write("two.msh", text), {{"part"}, ""});
+  EXPECT_EQ(read.mesh.num_elements(), 1U);
+  EXPECT_EQ(read.mesh.region_names, std::vector<std::string>{"part"});
+}
+
+TEST_F(MeshFiles, SayWhatToDoWithFilesThatHoldNoMesh) {
+  expect_words(error_of_file(write("part.stl", "solid\n")),
+               {"part.stl", "only the surface", "Surface Loop(1) = Surface{:}; Volume(1) = {1};",
+                "gmsh -3 part.geo -o part.msh"});
+  expect_words(error_of_file(write("part.STEP", "")), {"gmsh -3 part.STEP -o part.msh"});
+  expect_words(error_of_file(write("part.med", "")), {"meshio convert part.med part.vtu"});
 }
 
 TEST_F(MeshFiles, RefuseABodyOfLines) {
@@ -486,18 +521,18 @@ TEST_F(MeshFiles, RefuseABodyOfLines) {
 
 TEST_F(MeshFiles, RefuseASurfaceInSpace) {
   expect_error({{0, 0, 0, 1, 0, 0, 0, 1, 1}, {{2, {{0, 1, 2}}, ""}}},
-               {"no solid elements", "z goes from 0 to 1"});
+               {"no solid elements", "z goes from 0 to 1", "Physical Volume"});
 }
 
 TEST_F(MeshFiles, RefuseAFileWithoutElements) {
-  expect_words(error_of(write("empty.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n")),
+  expect_words(error_of_file(write("empty.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n")),
                {"empty.msh", "no elements"});
 }
 
 TEST_F(MeshFiles, RefuseWhatIsNoMesh) {
-  expect_words(error_of(write("text.msh", "not a mesh\n")), {"text.msh: gmsh cannot read it"});
-  expect_words(error_of(file("none.msh")), {"none.msh: there is no such file"});
-  expect_words(error_of(write("mesh.mhs", "")), {"'.mhs'", "did you mean '.msh'"});
+  expect_words(error_of_file(write("text.msh", "not a mesh\n")), {"text.msh: gmsh cannot read it"});
+  expect_words(error_of_file(file("none.msh")), {"none.msh: there is no such file"});
+  expect_words(error_of_file(write("mesh.mhs", "")), {"'.mhs'", "did you mean '.msh'"});
 }
 
 TEST_F(MeshFiles, ReportACrashOfGmsh) {
@@ -505,7 +540,7 @@ TEST_F(MeshFiles, ReportACrashOfGmsh) {
   WrittenMesh mesh = house_for(MeshFormat::unv);
   mesh.elements.push_back({15, {{11}}, "tip"});
   write_with_gmsh(mesh, MeshFormat::unv, file("crash.unv"));
-  expect_words(error_of(file("crash.unv")), {"crash.unv: gmsh crashed while reading it"});
+  expect_words(error_of_file(file("crash.unv")), {"crash.unv: gmsh crashed while reading it"});
 }
 
 TEST_F(MeshFiles, SurviveRandomDamage) {

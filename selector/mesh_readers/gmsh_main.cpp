@@ -5,60 +5,107 @@
 // Exit status 0: RECORD is written; 1: not, and the reason stands on standard output.
 #include <gmsh.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
-#include "selector/gmsh_reader/raw_mesh.h"
+#include "selector/mesh_readers/gmsh_elements.h"
+#include "selector/mesh_readers/raw_mesh.h"
 
 namespace {
 
+using elastogen::selector::find_gmsh_element;
+using elastogen::selector::GmshElement;
 using elastogen::selector::RawElements;
 using elastogen::selector::RawMesh;
 
-using GroupNumbers = std::map<std::pair<int, int>, std::int32_t>;
+/// Indices into RawMesh::groups by dimension and number.
+using GroupIndices = std::map<std::pair<int, int>, std::int32_t>;
 
-GroupNumbers read_groups(RawMesh& mesh) {
+GroupIndices read_groups(RawMesh& mesh) {
   gmsh::vectorpair groups;
   gmsh::model::getPhysicalGroups(groups);
-  GroupNumbers numbers;
+  GroupIndices indices;
   for (const auto& [dim, tag] : groups) {
-    numbers.emplace(std::pair(dim, tag), static_cast<std::int32_t>(mesh.groups.size()));
+    indices.emplace(std::pair(dim, tag), static_cast<std::int32_t>(mesh.groups.size()));
     std::string name;
     gmsh::model::getPhysicalName(dim, tag, name);
     mesh.groups.push_back({dim, tag, name});
   }
-  return numbers;
+  return indices;
 }
 
 void read_nodes(RawMesh& mesh) {
   std::vector<std::size_t> tags;
   std::vector<double> parametric;
   gmsh::model::mesh::getNodes(tags, mesh.coordinates, parametric);
-  mesh.node_tags.assign(tags.begin(), tags.end());
+  mesh.node_numbers.assign(tags.begin(), tags.end());
 }
 
-void read_elements(const GroupNumbers& group_numbers, RawMesh& mesh) {
+/// In our order, where the type is ours.
+void add_nodes(const std::vector<std::size_t>& nodes, const GmshElement* type,
+               RawElements& elements) {
+  const auto count = static_cast<std::size_t>(elements.nodes_per_element);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const std::size_t a = i % count;
+    elements.nodes.push_back(
+        type == nullptr ? nodes[i] : nodes[i - a + static_cast<std::size_t>(type->order[a])]);
+  }
+}
+
+/// A msh 2 file repeats an element for each group that it is in.
+void drop_repeated(RawElements& elements) {
+  const RawElements all = elements;
+  const auto count = static_cast<std::ptrdiff_t>(all.nodes_per_element);
+  std::set<std::vector<std::uint64_t>> seen;
+  elements.numbers.clear();
+  elements.nodes.clear();
+  for (std::size_t e = 0; e < all.numbers.size(); ++e) {
+    const auto first = all.nodes.begin() + static_cast<std::ptrdiff_t>(e) * count;
+    if (!seen.emplace(first, first + count).second) continue;
+    elements.numbers.push_back(all.numbers[e]);
+    elements.nodes.insert(elements.nodes.end(), first, first + count);
+  }
+}
+
+/// @param entities_are_groups  of medit's files: gmsh makes entities of their references
+void read_elements(GroupIndices& indices, bool entities_are_groups, RawMesh& mesh) {
   gmsh::vectorpair entities;
   gmsh::model::getEntities(entities);
+  const int body_dim = gmsh::model::getDimension();
   for (const auto& [dim, entity] : entities) {
     std::vector<int> types, groups;
     std::vector<std::vector<std::size_t>> tags, nodes;
     gmsh::model::mesh::getElements(types, tags, nodes, dim, entity);
     gmsh::model::getPhysicalGroupsForEntity(dim, entity, groups);
+    // References of medit's edges and vertices have no meaning beside those of faces.
+    if (entities_are_groups && dim >= body_dim - 1) {
+      groups.push_back(entity);
+      if (indices.emplace(std::pair(dim, entity), static_cast<std::int32_t>(mesh.groups.size()))
+              .second) {
+        mesh.groups.push_back({dim, entity, ""});
+      }
+    }
     for (std::size_t t = 0; t < types.size(); ++t) {
-      RawElements elements{dim, entity, types[t], {}, 0, {}, {}, {}};
+      RawElements elements;
+      elements.dim = dim;
       int element_dim = 0, order = 0, num_nodes = 0, num_primary_nodes = 0;
       std::vector<double> local_coordinates;
       gmsh::model::mesh::getElementProperties(types[t], elements.type_name, element_dim, order,
                                               num_nodes, local_coordinates, num_primary_nodes);
+      const GmshElement* type = find_gmsh_element(types[t]);
+      if (type != nullptr) elements.element = type->element;
       elements.nodes_per_element = num_nodes;
-      elements.tags.assign(tags[t].begin(), tags[t].end());
-      elements.nodes.assign(nodes[t].begin(), nodes[t].end());
-      for (const int group : groups) elements.groups.push_back(group_numbers.at({dim, group}));
+      elements.numbers.assign(tags[t].begin(), tags[t].end());
+      add_nodes(nodes[t], type, elements);
+      for (const int group : groups) elements.groups.push_back(indices.at({dim, group}));
+      if (groups.size() > 1) drop_repeated(elements);
       mesh.elements.push_back(std::move(elements));
     }
   }
@@ -78,10 +125,10 @@ RawMesh read_mesh(const std::string& file) {
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::merge(file);
   RawMesh mesh;
-  const GroupNumbers groups = read_groups(mesh);
+  GroupIndices groups = read_groups(mesh);
   read_nodes(mesh);
-  read_elements(groups, mesh);
-  mesh.warnings = log_lines("Warning");
+  read_elements(groups, std::filesystem::path(file).extension() == ".mesh", mesh);
+  for (const std::string& warning : log_lines("Warning")) mesh.notes.push_back("gmsh: " + warning);
   return mesh;
 }
 

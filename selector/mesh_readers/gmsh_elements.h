@@ -15,9 +15,6 @@ struct GmshElement {
   std::string_view element;  ///< "hexa8"
   std::vector<int> order;    ///< node of gmsh's element at each of our nodes
   std::vector<int> mirror;   ///< our nodes in the order of the mirrored element: inside out
-  /// As `order`, where gmsh 4.8 has read the element from a .vtk file, whose order of some types it
-  /// writes right but takes up wrong; empty: no different.
-  std::vector<int> order_from_vtk = {};
 };
 
 /// All that a mesh may hold.

@@ -1,4 +1,4 @@
-#include "selector/io/gmsh_process.h"
+#include "selector/io/reader_process.h"
 
 #include <fmt/format.h>
 #include <sys/mman.h>
@@ -38,10 +38,11 @@ class SharedFile {
 };
 
 /// Beside this program: ../libexec/elastogen/elastogen-gmsh, installed and in the build tree.
-fs::path reader_program() {
+fs::path reader_program(const std::string& name) {
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  fs::path reader = self.parent_path().parent_path() / "libexec" / "elastogen" / "elastogen-gmsh";
+  fs::path reader =
+      self.parent_path().parent_path() / "libexec" / "elastogen" / ("elastogen-" + name);
   if (!fs::exists(reader, error)) {
     throw WorkError(
         fmt::format("the program that reads mesh files is not there: {}; build or "
@@ -53,18 +54,23 @@ fs::path reader_program() {
 
 }  // namespace
 
-RawMesh read_with_gmsh(const fs::path& file) {
+RawMesh read_with(MeshLibrary library, const fs::path& file, const std::string& region_array) {
+  const std::string name = library == MeshLibrary::gmsh ? "gmsh" : "vtk";
   const SharedFile record;
-  const ProcessResult result =
-      run_process({reader_program().string(), fs::absolute(file).string(), record.path().string()});
+  std::vector<std::string> command = {reader_program(name).string(), fs::absolute(file).string(),
+                                      record.path().string()};
+  if (!region_array.empty()) command.push_back(region_array);
+  const ProcessResult result = run_process(command);
   if (result.signal != 0) {
+    // Gmsh 4.8 does on some sound files, too, so the file is only suspected.
     throw InputError(fmt::format(
-        "{}: gmsh crashed while reading it (signal {}): the file is damaged, or names elements or "
-        "nodes that it does not define; try to open it in gmsh, and save it as .msh",
-        file.string(), result.signal));
+        "{}: {} crashed while reading it (signal {}): the file may be damaged, or name elements or "
+        "nodes that it does not define; try to open it in {}, and save it anew as {}",
+        file.string(), name, result.signal, library == MeshLibrary::gmsh ? "gmsh" : "ParaView",
+        library == MeshLibrary::gmsh ? ".msh" : ".vtu"));
   }
   if (result.exit_status != 0) {
-    throw InputError(fmt::format("{}: gmsh cannot read it: {}", file.string(), result.output));
+    throw InputError(fmt::format("{}: {} cannot read it: {}", file.string(), name, result.output));
   }
   return unpack(read_text_file(record.path(), "record"));
 }

@@ -1,4 +1,4 @@
-#include "selector/gmsh_reader/raw_mesh.h"
+#include "selector/mesh_readers/raw_mesh.h"
 
 #include <cstring>
 
@@ -8,7 +8,7 @@ namespace elastogen::selector {
 namespace {
 
 // First bytes of a record: its form, and with it the order of bytes.
-constexpr std::uint64_t signature = 0x656c6173746f0001;
+constexpr std::uint64_t signature = 0x656c6173746f0002;
 
 class Packer {
  public:
@@ -49,7 +49,7 @@ class Unpacker {
     if (!bytes_.empty()) fail();
   }
   [[noreturn]] static void fail() {
-    throw InternalError("the mesh that elastogen-gmsh handed over is damaged");
+    throw InternalError("the mesh that a reader handed over is damaged");
   }
 
  private:
@@ -67,7 +67,7 @@ class Unpacker {
 std::string pack(const RawMesh& mesh) {
   Packer packer;
   packer.add(signature);
-  packer.add_all(mesh.node_tags);
+  packer.add_all(mesh.node_numbers);
   packer.add_all(mesh.coordinates);
   packer.add(static_cast<std::uint64_t>(mesh.groups.size()));
   for (const RawGroup& group : mesh.groups) {
@@ -78,16 +78,15 @@ std::string pack(const RawMesh& mesh) {
   packer.add(static_cast<std::uint64_t>(mesh.elements.size()));
   for (const RawElements& elements : mesh.elements) {
     packer.add(elements.dim);
-    packer.add(elements.entity);
-    packer.add(elements.type);
+    packer.add_all(elements.element);
     packer.add_all(elements.type_name);
     packer.add(elements.nodes_per_element);
-    packer.add_all(elements.tags);
+    packer.add_all(elements.numbers);
     packer.add_all(elements.nodes);
     packer.add_all(elements.groups);
   }
-  packer.add(static_cast<std::uint64_t>(mesh.warnings.size()));
-  for (const std::string& warning : mesh.warnings) packer.add_all(warning);
+  packer.add(static_cast<std::uint64_t>(mesh.notes.size()));
+  for (const std::string& note : mesh.notes) packer.add_all(note);
   return packer.bytes;
 }
 
@@ -97,7 +96,7 @@ RawMesh unpack(std::string_view bytes) {
   unpacker.take(found);
   if (found != signature) Unpacker::fail();
   RawMesh mesh;
-  unpacker.take_all(mesh.node_tags);
+  unpacker.take_all(mesh.node_numbers);
   unpacker.take_all(mesh.coordinates);
   mesh.groups.resize(unpacker.take_size(1));
   for (RawGroup& group : mesh.groups) {
@@ -108,16 +107,15 @@ RawMesh unpack(std::string_view bytes) {
   mesh.elements.resize(unpacker.take_size(1));
   for (RawElements& elements : mesh.elements) {
     unpacker.take(elements.dim);
-    unpacker.take(elements.entity);
-    unpacker.take(elements.type);
+    unpacker.take_all(elements.element);
     unpacker.take_all(elements.type_name);
     unpacker.take(elements.nodes_per_element);
-    unpacker.take_all(elements.tags);
+    unpacker.take_all(elements.numbers);
     unpacker.take_all(elements.nodes);
     unpacker.take_all(elements.groups);
   }
-  mesh.warnings.resize(unpacker.take_size(1));
-  for (std::string& warning : mesh.warnings) unpacker.take_all(warning);
+  mesh.notes.resize(unpacker.take_size(1));
+  for (std::string& note : mesh.notes) unpacker.take_all(note);
   unpacker.expect_end();
   return mesh;
 }
