@@ -9,7 +9,7 @@
 // quadrature   q8
 // split        none
 // profile      x86-cache
-// hash         51f3f4da6b1632319ee565c00618bb6e
+// hash         5bb65a3e11850ecd8f939408322bdc67
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
 // general  constants             582         80      0         192      640          1
@@ -19,6 +19,7 @@
 // general  product              1396         80      0         832      192          1
 // general  linearize               0          0      0           0        0          1
 // general  apply                1396         80      0         832      192          1
+// general  stress               1476          0      0         384      160          1
 // general  stiffness           33504          0      0           0     4608          1
 // box      constants               8          4      0          48       32          1
 // box      geometry               29          0      0          48      192          1
@@ -27,6 +28,7 @@
 // box      product               673          4      0         224      192          1
 // box      linearize               0          0      0           0        0          1
 // box      apply                 673          4      0         224      192          1
+// box      stress                675          0      0         240     1280          1
 // box      stiffness           16152          0      0           0     4608          1
 #pragma once
 
@@ -34,7 +36,7 @@
 
 namespace elastogen::kernels::hooke_hexa8_q8_none::inline ELASTOGEN_INSTRUCTION_SET {
 
-inline constexpr char hash[] = "51f3f4da6b1632319ee565c00618bb6e";
+inline constexpr char hash[] = "5bb65a3e11850ecd8f939408322bdc67";
 inline constexpr int dim = 3;
 inline constexpr int num_nodes = 8;
 inline constexpr int num_points = 8;
@@ -407,6 +409,22 @@ template <class V>
   [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
   const V t0 = u[0] + u[1] + u[2] + u[3] + u[4] + u[5] + u[6] + u[7];
   out[0] = t0;
+}
+
+/// weights of the points: 0 flops
+template <class V>
+[[gnu::noinline]] void point_weights([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]]
+    V* out, [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  out[0] = (V{} + S(1));
+  out[1] = (V{} + S(1));
+  out[2] = (V{} + S(1));
+  out[3] = (V{} + S(1));
+  out[4] = (V{} + S(1));
+  out[5] = (V{} + S(1));
+  out[6] = (V{} + S(1));
+  out[7] = (V{} + S(1));
 }
 
 /// constants: 42 flops per element and point
@@ -1176,6 +1194,97 @@ inline void apply([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]]
 }
 
 using apply_steps = kernel::NoSteps;
+
+/// stress: 123 flops per element and point
+template <class V>
+inline void stress_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
+    [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  const V t2 = x[4] * x[6] - x[3] * x[7];
+  const V t6 = x[3] * x[8] - x[5] * x[6];
+  const V t10 = x[5] * x[7] - x[4] * x[8];
+  const V t12 = x[2] * t2 + x[1] * t6 + x[0] * t10;
+  const V t13 = S(1) / t12;
+  const V t14 = t2 * t13;
+  const V t16 = t10 * t13;
+  const V t18 = t6 * t13;
+  const V t20 = u[2] * t14 + u[0] * t16 + u[1] * t18;
+  const V t23 = x[1] * x[8] - x[2] * x[7];
+  const V t24 = t13 * t23;
+  const V t28 = x[0] * x[7] - x[1] * x[6];
+  const V t29 = t13 * t28;
+  const V t33 = x[2] * x[6] - x[0] * x[8];
+  const V t34 = t13 * t33;
+  const V t36 = u[0] * t24 + u[2] * t29 + u[1] * t34;
+  const V t39 = x[1] * x[3] - x[0] * x[4];
+  const V t40 = t13 * t39;
+  const V t44 = x[0] * x[5] - x[2] * x[3];
+  const V t45 = t13 * t44;
+  const V t49 = x[2] * x[4] - x[1] * x[5];
+  const V t50 = t13 * t49;
+  const V t52 = u[2] * t40 + u[1] * t45 + u[0] * t50;
+  const V t56 = u[3] * t16 + u[4] * t18 + u[5] * t14;
+  const V t60 = u[3] * t24 + u[4] * t34 + u[5] * t29;
+  const V t64 = u[5] * t40 + u[3] * t50 + u[4] * t45;
+  const V t68 = u[6] * t16 + u[8] * t14 + u[7] * t18;
+  const V t72 = u[8] * t29 + u[6] * t24 + u[7] * t34;
+  const V t76 = u[8] * t40 + u[6] * t50 + u[7] * t45;
+  const V t78 = t20 + t60 + t76;
+  const V t79 = p[0] * t78;
+  const V t80 = t79 + S(2) * p[1] * t20;
+  const V t81 = t36 + t56;
+  const V t82 = p[1] * t81;
+  const V t83 = t52 + t68;
+  const V t84 = p[1] * t83;
+  const V t86 = t79 + S(2) * p[1] * t60;
+  const V t87 = t64 + t72;
+  const V t88 = p[1] * t87;
+  const V t90 = t79 + S(2) * p[1] * t76;
+  const V t98 = t83 * t83 + t87 * t87 + t81 * t81 + S(2) * (t76 * t76 + t20 * t20 + t60 * t60);
+  const V t100 = p[0] * t78 * t78 + p[1] * t98;
+  const V t101 = v[0] * t12;
+  out[0] = t20;
+  out[1] = t36;
+  out[2] = t52;
+  out[3] = t56;
+  out[4] = t60;
+  out[5] = t64;
+  out[6] = t68;
+  out[7] = t72;
+  out[8] = t76;
+  out[9] = t80;
+  out[10] = t82;
+  out[11] = t84;
+  out[12] = t82;
+  out[13] = t86;
+  out[14] = t88;
+  out[15] = t84;
+  out[16] = t88;
+  out[17] = t90;
+  out[18] = S(0.5) * t100;
+  out[19] = -t101;
+}
+
+/// stress: 1476 flops per element
+template <class V>
+inline void stress([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
+    [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  V dx[72];
+  interpolate<V>(kernel::Inputs<V>{x, p, c, x, v, s}, dx, margin);
+  V du[72];
+  interpolate<V>(kernel::Inputs<V>{x, p, c, u, v, s}, du, margin);
+  V dv[8];
+  point_weights<V>(kernel::Inputs<V>{x, p, c, u, v, s}, dv, margin);
+  for (int g = 0; g < 8; ++g) {
+    stress_at_point<V>(kernel::Inputs<V>{dx + 9 * g, p, c, du + 9 * g, dv + g, s}, out + 20 * g,
+        margin);
+  }
+}
+
+using stress_steps = kernel::NoSteps;
 
 /// stiffness: linearize once, apply along every unit direction; K = -product
 template <class V>
@@ -2792,6 +2901,464 @@ inline void apply([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]]
 }
 
 using apply_steps = kernel::NoSteps;
+
+/// stress: 675 flops per element
+template <class V>
+inline void stress([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
+    [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  const V t0 = u[0] - u[3];
+  const V t1 = u[6] - u[9];
+  const V t2 = t0 - S(0.2679491924311227) * t1;
+  const V t3 = u[18] - u[21];
+  const V t4 = u[12] - u[15];
+  const V t5 = t4 - S(0.2679491924311227) * t3;
+  const V t6 = t2 + S(0.2679491924311227) * t5;
+  const V t7 = x[0] - x[3];
+  const V t8 = S(1) / t7;
+  const V t9 = t6 * t8;
+  const V t10 = x[1] - x[10];
+  const V t11 = S(1) / t10;
+  const V t12 = u[3] - u[6];
+  const V t13 = u[0] - u[9];
+  const V t14 = t13 + S(0.2679491924311227) * t12;
+  const V t15 = u[12] - u[21];
+  const V t16 = u[15] - u[18];
+  const V t17 = t15 + S(0.2679491924311227) * t16;
+  const V t18 = t14 + S(0.2679491924311227) * t17;
+  const V t19 = t11 * t18;
+  const V t20 = x[2] - x[14];
+  const V t21 = S(1) / t20;
+  const V t22 = u[0] - u[12];
+  const V t23 = u[3] - u[15];
+  const V t24 = t22 + S(0.2679491924311227) * t23;
+  const V t25 = u[6] - u[18];
+  const V t26 = u[9] - u[21];
+  const V t27 = t25 + S(3.7320508075688772) * t26;
+  const V t28 = t24 + S(0.071796769724490825) * t27;
+  const V t29 = t21 * t28;
+  const V t30 = u[1] - u[4];
+  const V t31 = u[7] - u[10];
+  const V t32 = t30 - S(0.2679491924311227) * t31;
+  const V t33 = u[19] - u[22];
+  const V t34 = u[13] - u[16];
+  const V t35 = t34 - S(0.2679491924311227) * t33;
+  const V t36 = t32 + S(0.2679491924311227) * t35;
+  const V t37 = t8 * t36;
+  const V t38 = u[16] - u[19];
+  const V t39 = u[13] - u[22];
+  const V t40 = t39 + S(0.2679491924311227) * t38;
+  const V t41 = u[1] - u[10];
+  const V t42 = u[4] - u[7];
+  const V t43 = t41 + S(0.2679491924311227) * t42;
+  const V t44 = t43 + S(0.2679491924311227) * t40;
+  const V t45 = t11 * t44;
+  const V t46 = u[7] - u[19];
+  const V t47 = u[10] - u[22];
+  const V t48 = t46 + S(3.7320508075688772) * t47;
+  const V t49 = u[1] - u[13];
+  const V t50 = u[4] - u[16];
+  const V t51 = t49 + S(0.2679491924311227) * t50;
+  const V t52 = t51 + S(0.071796769724490825) * t48;
+  const V t53 = t21 * t52;
+  const V t54 = u[20] - u[23];
+  const V t55 = u[14] - u[17];
+  const V t56 = t55 - S(0.2679491924311227) * t54;
+  const V t57 = u[2] - u[5];
+  const V t58 = u[8] - u[11];
+  const V t59 = t57 - S(0.2679491924311227) * t58;
+  const V t60 = t59 + S(0.2679491924311227) * t56;
+  const V t61 = t8 * t60;
+  const V t62 = u[5] - u[8];
+  const V t63 = u[2] - u[11];
+  const V t64 = t63 + S(0.2679491924311227) * t62;
+  const V t65 = u[17] - u[20];
+  const V t66 = u[14] - u[23];
+  const V t67 = t66 + S(0.2679491924311227) * t65;
+  const V t68 = t64 + S(0.2679491924311227) * t67;
+  const V t69 = t11 * t68;
+  const V t70 = u[8] - u[20];
+  const V t71 = u[11] - u[23];
+  const V t72 = t70 + S(3.7320508075688772) * t71;
+  const V t73 = u[2] - u[14];
+  const V t74 = u[5] - u[17];
+  const V t75 = t73 + S(0.2679491924311227) * t74;
+  const V t76 = t75 + S(0.071796769724490825) * t72;
+  const V t77 = t21 * t76;
+  const V t78 = t9 + t45 + t77;
+  const V t79 = p[0] * t78;
+  const V t80 = p[1] * t9;
+  const V t81 = t79 + S(2) * t80;
+  const V t82 = t19 + t37;
+  const V t83 = p[1] * t82;
+  const V t84 = t29 + t61;
+  const V t85 = p[1] * t84;
+  const V t86 = p[1] * t45;
+  const V t87 = t79 + S(2) * t86;
+  const V t88 = t53 + t69;
+  const V t89 = p[1] * t88;
+  const V t90 = p[1] * t77;
+  const V t91 = t79 + S(2) * t90;
+  const V t92 = t21 * t21;
+  const V t93 = t76 * t76 * t92;
+  const V t95 = t11 * t11;
+  const V t96 = t44 * t44 * t95;
+  const V t99 = t8 * t8;
+  const V t100 = t6 * t6 * t99;
+  const V t101 = t88 * t88 + t84 * t84 + t82 * t82 + S(2) * (t93 + t96 + t100);
+  const V t104 = p[1] * t101 + p[0] * t78 * t78;
+  const V t105 = t7 * t10 * t20;
+  const V t106 = t13 + S(3.7320508075688772) * t12;
+  const V t107 = t15 + S(3.7320508075688772) * t16;
+  const V t108 = t106 + S(0.2679491924311227) * t107;
+  const V t109 = t11 * t108;
+  const V t110 = t22 + S(3.7320508075688772) * t23;
+  const V t111 = t25 + S(0.2679491924311227) * t26;
+  const V t112 = t110 + t111;
+  const V t113 = t21 * t112;
+  const V t114 = t39 + S(3.7320508075688772) * t38;
+  const V t115 = t41 + S(3.7320508075688772) * t42;
+  const V t116 = t115 + S(0.2679491924311227) * t114;
+  const V t117 = t11 * t116;
+  const V t118 = t46 + S(0.2679491924311227) * t47;
+  const V t119 = t49 + S(3.7320508075688772) * t50;
+  const V t120 = t118 + t119;
+  const V t121 = t21 * t120;
+  const V t122 = t63 + S(3.7320508075688772) * t62;
+  const V t123 = t66 + S(3.7320508075688772) * t65;
+  const V t124 = t122 + S(0.2679491924311227) * t123;
+  const V t125 = t11 * t124;
+  const V t126 = t70 + S(0.2679491924311227) * t71;
+  const V t127 = t73 + S(3.7320508075688772) * t74;
+  const V t128 = t126 + t127;
+  const V t129 = t21 * t128;
+  const V t130 = t9 + S(0.2679491924311227) * (t117 + t129);
+  const V t131 = p[0] * t130;
+  const V t132 = t80 + S(0.5) * t131;
+  const V t133 = t37 + S(0.2679491924311227) * t109;
+  const V t134 = p[1] * t133;
+  const V t135 = t61 + S(0.2679491924311227) * t113;
+  const V t136 = p[1] * t135;
+  const V t137 = p[1] * t117;
+  const V t138 = t131 + S(0.53589838486224539) * t137;
+  const V t139 = t121 + t125;
+  const V t140 = p[1] * t139;
+  const V t141 = p[1] * t129;
+  const V t142 = t131 + S(0.53589838486224539) * t141;
+  const V t143 = t92 * t128 * t128;
+  const V t145 = t95 * t116 * t116;
+  const V t148 = t100 + S(0.071796769724490825) * (t143 + t145) + S(0.035898384862245412) * t139 *
+      t139 + S(0.5) * (t135 * t135 + t133 * t133);
+  const V t151 = p[0] * t130 * t130 + S(2) * p[1] * t148;
+  const V t152 = t0 - S(3.7320508075688772) * t1;
+  const V t153 = t4 - S(3.7320508075688772) * t3;
+  const V t154 = t152 + S(0.2679491924311227) * t153;
+  const V t155 = t8 * t154;
+  const V t156 = t24 + t27;
+  const V t157 = t21 * t156;
+  const V t158 = t30 - S(3.7320508075688772) * t31;
+  const V t159 = t34 - S(3.7320508075688772) * t33;
+  const V t160 = t158 + S(0.2679491924311227) * t159;
+  const V t161 = t8 * t160;
+  const V t162 = t48 + t51;
+  const V t163 = t21 * t162;
+  const V t164 = t55 - S(3.7320508075688772) * t54;
+  const V t165 = t57 - S(3.7320508075688772) * t58;
+  const V t166 = t165 + S(0.2679491924311227) * t164;
+  const V t167 = t8 * t166;
+  const V t168 = t72 + t75;
+  const V t169 = t21 * t168;
+  const V t170 = t45 + S(0.2679491924311227) * (t155 + t169);
+  const V t171 = p[0] * t170;
+  const V t172 = p[1] * t155;
+  const V t173 = t171 + S(0.53589838486224539) * t172;
+  const V t174 = t19 + S(0.2679491924311227) * t161;
+  const V t175 = p[1] * t174;
+  const V t176 = t157 + t167;
+  const V t177 = p[1] * t176;
+  const V t178 = t86 + S(0.5) * t171;
+  const V t179 = t69 + S(0.2679491924311227) * t163;
+  const V t180 = p[1] * t179;
+  const V t181 = p[1] * t169;
+  const V t182 = t171 + S(0.53589838486224539) * t181;
+  const V t183 = t92 * t168 * t168;
+  const V t187 = t99 * t154 * t154;
+  const V t188 = t96 + S(0.071796769724490825) * (t183 + t187) + S(0.5) * (t179 * t179 + t174 *
+      t174) + S(0.035898384862245412) * t176 * t176;
+  const V t191 = p[0] * t170 * t170 + S(2) * p[1] * t188;
+  const V t192 = t110 + S(13.928203230275509) * t111;
+  const V t193 = t21 * t192;
+  const V t194 = t119 + S(13.928203230275509) * t118;
+  const V t195 = t21 * t194;
+  const V t196 = t127 + S(13.928203230275509) * t126;
+  const V t197 = t21 * t196;
+  const V t198 = t117 + t155 + S(0.2679491924311227) * t197;
+  const V t199 = p[0] * t198;
+  const V t200 = t172 + S(0.5) * t199;
+  const V t201 = t109 + t161;
+  const V t202 = p[1] * t201;
+  const V t203 = t167 + S(0.2679491924311227) * t193;
+  const V t204 = p[1] * t203;
+  const V t205 = t137 + S(0.5) * t199;
+  const V t206 = t125 + S(0.2679491924311227) * t195;
+  const V t207 = p[1] * t206;
+  const V t208 = p[1] * t197;
+  const V t209 = t199 + S(0.53589838486224539) * t208;
+  const V t210 = t92 * t196 * t196;
+  const V t214 = t145 + t187 + S(0.071796769724490825) * t210 + S(0.5) * (t206 * t206 + t203 * t203
+      + t201 * t201);
+  const V t217 = p[0] * t198 * t198 + S(2) * p[1] * t214;
+  const V t218 = t2 + S(3.7320508075688772) * t5;
+  const V t219 = t8 * t218;
+  const V t220 = t14 + S(3.7320508075688772) * t17;
+  const V t221 = t11 * t220;
+  const V t222 = t32 + S(3.7320508075688772) * t35;
+  const V t223 = t8 * t222;
+  const V t224 = t43 + S(3.7320508075688772) * t40;
+  const V t225 = t11 * t224;
+  const V t226 = t59 + S(3.7320508075688772) * t56;
+  const V t227 = t8 * t226;
+  const V t228 = t64 + S(3.7320508075688772) * t67;
+  const V t229 = t11 * t228;
+  const V t230 = t77 + S(0.2679491924311227) * (t219 + t225);
+  const V t231 = p[0] * t230;
+  const V t232 = p[1] * t219;
+  const V t233 = t231 + S(0.53589838486224539) * t232;
+  const V t234 = t221 + t223;
+  const V t235 = p[1] * t234;
+  const V t236 = t29 + S(0.2679491924311227) * t227;
+  const V t237 = p[1] * t236;
+  const V t238 = p[1] * t225;
+  const V t239 = t231 + S(0.53589838486224539) * t238;
+  const V t240 = t53 + S(0.2679491924311227) * t229;
+  const V t241 = p[1] * t240;
+  const V t242 = t90 + S(0.5) * t231;
+  const V t244 = t95 * t224 * t224;
+  const V t247 = t99 * t218 * t218;
+  const V t248 = t93 + S(0.5) * (t240 * t240 + t236 * t236) + S(0.071796769724490825) * (t244 +
+      t247) + S(0.035898384862245412) * t234 * t234;
+  const V t251 = p[0] * t230 * t230 + S(2) * p[1] * t248;
+  const V t252 = t106 + S(3.7320508075688772) * t107;
+  const V t253 = t11 * t252;
+  const V t254 = t115 + S(3.7320508075688772) * t114;
+  const V t255 = t11 * t254;
+  const V t256 = t122 + S(3.7320508075688772) * t123;
+  const V t257 = t11 * t256;
+  const V t258 = t129 + t219 + S(0.2679491924311227) * t255;
+  const V t259 = p[0] * t258;
+  const V t260 = t232 + S(0.5) * t259;
+  const V t261 = t223 + S(0.2679491924311227) * t253;
+  const V t262 = p[1] * t261;
+  const V t263 = t113 + t227;
+  const V t264 = p[1] * t263;
+  const V t265 = p[1] * t255;
+  const V t266 = t259 + S(0.53589838486224539) * t265;
+  const V t267 = t121 + S(0.2679491924311227) * t257;
+  const V t268 = p[1] * t267;
+  const V t269 = t141 + S(0.5) * t259;
+  const V t271 = t95 * t254 * t254;
+  const V t274 = t143 + t247 + S(0.5) * (t267 * t267 + t263 * t263 + t261 * t261) +
+      S(0.071796769724490825) * t271;
+  const V t277 = p[0] * t258 * t258 + S(2) * p[1] * t274;
+  const V t278 = t152 + S(3.7320508075688772) * t153;
+  const V t279 = t8 * t278;
+  const V t280 = t158 + S(3.7320508075688772) * t159;
+  const V t281 = t8 * t280;
+  const V t282 = t165 + S(3.7320508075688772) * t164;
+  const V t283 = t8 * t282;
+  const V t284 = t169 + t225 + S(0.2679491924311227) * t279;
+  const V t285 = p[0] * t284;
+  const V t286 = p[1] * t279;
+  const V t287 = t285 + S(0.53589838486224539) * t286;
+  const V t288 = t221 + S(0.2679491924311227) * t281;
+  const V t289 = p[1] * t288;
+  const V t290 = t157 + S(0.2679491924311227) * t283;
+  const V t291 = p[1] * t290;
+  const V t292 = t238 + S(0.5) * t285;
+  const V t293 = t163 + t229;
+  const V t294 = p[1] * t293;
+  const V t295 = t181 + S(0.5) * t285;
+  const V t299 = t99 * t278 * t278;
+  const V t300 = t183 + t244 + S(0.5) * (t293 * t293 + t290 * t290 + t288 * t288) +
+      S(0.071796769724490825) * t299;
+  const V t303 = p[0] * t284 * t284 + S(2) * p[1] * t300;
+  const V t304 = t197 + t255 + t279;
+  const V t305 = p[0] * t304;
+  const V t306 = t286 + S(0.5) * t305;
+  const V t307 = t253 + t281;
+  const V t308 = p[1] * t307;
+  const V t309 = t193 + t283;
+  const V t310 = p[1] * t309;
+  const V t311 = t265 + S(0.5) * t305;
+  const V t312 = t195 + t257;
+  const V t313 = p[1] * t312;
+  const V t314 = t208 + S(0.5) * t305;
+  const V t318 = t210 + t271 + t299 + S(0.5) * (t312 * t312 + t309 * t309 + t307 * t307);
+  const V t321 = p[0] * t304 * t304 + S(2) * p[1] * t318;
+  out[0] = S(0.62200846792814624) * t9;
+  out[1] = S(0.62200846792814624) * t19;
+  out[2] = S(0.62200846792814624) * t29;
+  out[3] = S(0.62200846792814624) * t37;
+  out[4] = S(0.62200846792814624) * t45;
+  out[5] = S(0.62200846792814624) * t53;
+  out[6] = S(0.62200846792814624) * t61;
+  out[7] = S(0.62200846792814624) * t69;
+  out[8] = S(0.62200846792814624) * t77;
+  out[9] = S(0.62200846792814624) * t81;
+  out[10] = S(0.62200846792814624) * t83;
+  out[11] = S(0.62200846792814624) * t85;
+  out[12] = S(0.62200846792814624) * t83;
+  out[13] = S(0.62200846792814624) * t87;
+  out[14] = S(0.62200846792814624) * t89;
+  out[15] = S(0.62200846792814624) * t85;
+  out[16] = S(0.62200846792814624) * t89;
+  out[17] = S(0.62200846792814624) * t91;
+  out[18] = S(0.19344726708715984) * t104;
+  out[19] = -S(0.125) * t105;
+  out[20] = S(0.62200846792814624) * t9;
+  out[21] = S(0.16666666666666666) * t109;
+  out[22] = S(0.16666666666666666) * t113;
+  out[23] = S(0.62200846792814624) * t37;
+  out[24] = S(0.16666666666666666) * t117;
+  out[25] = S(0.16666666666666666) * t121;
+  out[26] = S(0.62200846792814624) * t61;
+  out[27] = S(0.16666666666666666) * t125;
+  out[28] = S(0.16666666666666666) * t129;
+  out[29] = S(1.2440169358562925) * t132;
+  out[30] = S(0.62200846792814624) * t134;
+  out[31] = S(0.62200846792814624) * t136;
+  out[32] = S(0.62200846792814624) * t134;
+  out[33] = S(0.62200846792814624) * t138;
+  out[34] = S(0.16666666666666666) * t140;
+  out[35] = S(0.62200846792814624) * t136;
+  out[36] = S(0.16666666666666666) * t140;
+  out[37] = S(0.62200846792814624) * t142;
+  out[38] = S(0.19344726708715984) * t151;
+  out[39] = -S(0.125) * t105;
+  out[40] = S(0.16666666666666666) * t155;
+  out[41] = S(0.62200846792814624) * t19;
+  out[42] = S(0.16666666666666666) * t157;
+  out[43] = S(0.16666666666666666) * t161;
+  out[44] = S(0.62200846792814624) * t45;
+  out[45] = S(0.16666666666666666) * t163;
+  out[46] = S(0.16666666666666666) * t167;
+  out[47] = S(0.62200846792814624) * t69;
+  out[48] = S(0.16666666666666666) * t169;
+  out[49] = S(0.62200846792814624) * t173;
+  out[50] = S(0.62200846792814624) * t175;
+  out[51] = S(0.16666666666666666) * t177;
+  out[52] = S(0.62200846792814624) * t175;
+  out[53] = S(1.2440169358562925) * t178;
+  out[54] = S(0.62200846792814624) * t180;
+  out[55] = S(0.16666666666666666) * t177;
+  out[56] = S(0.62200846792814624) * t180;
+  out[57] = S(0.62200846792814624) * t182;
+  out[58] = S(0.19344726708715984) * t191;
+  out[59] = -S(0.125) * t105;
+  out[60] = S(0.16666666666666666) * t155;
+  out[61] = S(0.16666666666666666) * t109;
+  out[62] = S(0.044658198738520449) * t193;
+  out[63] = S(0.16666666666666666) * t161;
+  out[64] = S(0.16666666666666666) * t117;
+  out[65] = S(0.044658198738520449) * t195;
+  out[66] = S(0.16666666666666666) * t167;
+  out[67] = S(0.16666666666666666) * t125;
+  out[68] = S(0.044658198738520449) * t197;
+  out[69] = S(0.33333333333333331) * t200;
+  out[70] = S(0.16666666666666666) * t202;
+  out[71] = S(0.16666666666666666) * t204;
+  out[72] = S(0.16666666666666666) * t202;
+  out[73] = S(0.33333333333333331) * t205;
+  out[74] = S(0.16666666666666666) * t207;
+  out[75] = S(0.16666666666666666) * t204;
+  out[76] = S(0.16666666666666666) * t207;
+  out[77] = S(0.16666666666666666) * t209;
+  out[78] = S(0.013888888888888888) * t217;
+  out[79] = -S(0.125) * t105;
+  out[80] = S(0.16666666666666666) * t219;
+  out[81] = S(0.16666666666666666) * t221;
+  out[82] = S(0.62200846792814624) * t29;
+  out[83] = S(0.16666666666666666) * t223;
+  out[84] = S(0.16666666666666666) * t225;
+  out[85] = S(0.62200846792814624) * t53;
+  out[86] = S(0.16666666666666666) * t227;
+  out[87] = S(0.16666666666666666) * t229;
+  out[88] = S(0.62200846792814624) * t77;
+  out[89] = S(0.62200846792814624) * t233;
+  out[90] = S(0.16666666666666666) * t235;
+  out[91] = S(0.62200846792814624) * t237;
+  out[92] = S(0.16666666666666666) * t235;
+  out[93] = S(0.62200846792814624) * t239;
+  out[94] = S(0.62200846792814624) * t241;
+  out[95] = S(0.62200846792814624) * t237;
+  out[96] = S(0.62200846792814624) * t241;
+  out[97] = S(1.2440169358562925) * t242;
+  out[98] = S(0.19344726708715984) * t251;
+  out[99] = -S(0.125) * t105;
+  out[100] = S(0.16666666666666666) * t219;
+  out[101] = S(0.044658198738520449) * t253;
+  out[102] = S(0.16666666666666666) * t113;
+  out[103] = S(0.16666666666666666) * t223;
+  out[104] = S(0.044658198738520449) * t255;
+  out[105] = S(0.16666666666666666) * t121;
+  out[106] = S(0.16666666666666666) * t227;
+  out[107] = S(0.044658198738520449) * t257;
+  out[108] = S(0.16666666666666666) * t129;
+  out[109] = S(0.33333333333333331) * t260;
+  out[110] = S(0.16666666666666666) * t262;
+  out[111] = S(0.16666666666666666) * t264;
+  out[112] = S(0.16666666666666666) * t262;
+  out[113] = S(0.16666666666666666) * t266;
+  out[114] = S(0.16666666666666666) * t268;
+  out[115] = S(0.16666666666666666) * t264;
+  out[116] = S(0.16666666666666666) * t268;
+  out[117] = S(0.33333333333333331) * t269;
+  out[118] = S(0.013888888888888888) * t277;
+  out[119] = -S(0.125) * t105;
+  out[120] = S(0.044658198738520449) * t279;
+  out[121] = S(0.16666666666666666) * t221;
+  out[122] = S(0.16666666666666666) * t157;
+  out[123] = S(0.044658198738520449) * t281;
+  out[124] = S(0.16666666666666666) * t225;
+  out[125] = S(0.16666666666666666) * t163;
+  out[126] = S(0.044658198738520449) * t283;
+  out[127] = S(0.16666666666666666) * t229;
+  out[128] = S(0.16666666666666666) * t169;
+  out[129] = S(0.16666666666666666) * t287;
+  out[130] = S(0.16666666666666666) * t289;
+  out[131] = S(0.16666666666666666) * t291;
+  out[132] = S(0.16666666666666666) * t289;
+  out[133] = S(0.33333333333333331) * t292;
+  out[134] = S(0.16666666666666666) * t294;
+  out[135] = S(0.16666666666666666) * t291;
+  out[136] = S(0.16666666666666666) * t294;
+  out[137] = S(0.33333333333333331) * t295;
+  out[138] = S(0.013888888888888888) * t303;
+  out[139] = -S(0.125) * t105;
+  out[140] = S(0.044658198738520449) * t279;
+  out[141] = S(0.044658198738520449) * t253;
+  out[142] = S(0.044658198738520449) * t193;
+  out[143] = S(0.044658198738520449) * t281;
+  out[144] = S(0.044658198738520449) * t255;
+  out[145] = S(0.044658198738520449) * t195;
+  out[146] = S(0.044658198738520449) * t283;
+  out[147] = S(0.044658198738520449) * t257;
+  out[148] = S(0.044658198738520449) * t197;
+  out[149] = S(0.089316397477040899) * t306;
+  out[150] = S(0.044658198738520449) * t308;
+  out[151] = S(0.044658198738520449) * t310;
+  out[152] = S(0.044658198738520449) * t308;
+  out[153] = S(0.089316397477040899) * t311;
+  out[154] = S(0.044658198738520449) * t313;
+  out[155] = S(0.044658198738520449) * t310;
+  out[156] = S(0.044658198738520449) * t313;
+  out[157] = S(0.089316397477040899) * t314;
+  out[158] = S(0.00099717735728459484) * t321;
+  out[159] = -S(0.125) * t105;
+}
+
+using stress_steps = kernel::NoSteps;
 
 /// stiffness: linearize once, apply along every unit direction; K = -product
 template <class V>

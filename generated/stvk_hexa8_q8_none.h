@@ -9,7 +9,7 @@
 // quadrature   q8
 // split        none
 // profile      x86-cache
-// hash         784a838d5fdb9b7d51b3313928274472
+// hash         b754234be8ac607bf72ca8479c445e39
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
 // general  constants             582         80      0         192      640          1
@@ -19,6 +19,7 @@
 // general  product              3666         80      0        1024      192          1
 // general  linearize             990         80    120         832      960          1
 // general  apply                2748         80    120        1792      192          1
+// general  stress               2132          0      0         384      160          1
 // general  stiffness           66942         80    120         832     4608          1
 // box      constants              11          4      0         192       32          1
 // box      geometry               29          0      0          48      192          1
@@ -27,6 +28,7 @@
 // box      product              3034          4      0         416      192          1
 // box      linearize             838          4    120         224      960          1
 // box      apply                2308          4    120        1184      192          1
+// box      stress               1596          0      0         384      160          1
 // box      stiffness           56230          4    120         224     4608          1
 #pragma once
 
@@ -34,7 +36,7 @@
 
 namespace elastogen::kernels::stvk_hexa8_q8_none::inline ELASTOGEN_INSTRUCTION_SET {
 
-inline constexpr char hash[] = "784a838d5fdb9b7d51b3313928274472";
+inline constexpr char hash[] = "b754234be8ac607bf72ca8479c445e39";
 inline constexpr int dim = 3;
 inline constexpr int num_nodes = 8;
 inline constexpr int num_points = 8;
@@ -407,6 +409,22 @@ template <class V>
   [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
   const V t0 = u[0] + u[1] + u[2] + u[3] + u[4] + u[5] + u[6] + u[7];
   out[0] = t0;
+}
+
+/// weights of the points: 0 flops
+template <class V>
+[[gnu::noinline]] void point_weights([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]]
+    V* out, [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  out[0] = (V{} + S(1));
+  out[1] = (V{} + S(1));
+  out[2] = (V{} + S(1));
+  out[3] = (V{} + S(1));
+  out[4] = (V{} + S(1));
+  out[5] = (V{} + S(1));
+  out[6] = (V{} + S(1));
+  out[7] = (V{} + S(1));
 }
 
 /// constants: 42 flops per element and point
@@ -1408,6 +1426,123 @@ inline void apply([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]]
 
 using apply_steps = kernel::NoSteps;
 
+/// stress: 205 flops per element and point
+template <class V>
+inline void stress_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
+    [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  const V t2 = x[4] * x[6] - x[3] * x[7];
+  const V t6 = x[3] * x[8] - x[5] * x[6];
+  const V t10 = x[5] * x[7] - x[4] * x[8];
+  const V t12 = x[2] * t2 + x[1] * t6 + x[0] * t10;
+  const V t13 = S(1) / t12;
+  const V t14 = t2 * t13;
+  const V t16 = t10 * t13;
+  const V t18 = t6 * t13;
+  const V t20 = u[2] * t14 + u[0] * t16 + u[1] * t18;
+  const V t23 = x[1] * x[8] - x[2] * x[7];
+  const V t24 = t13 * t23;
+  const V t28 = x[0] * x[7] - x[1] * x[6];
+  const V t29 = t13 * t28;
+  const V t33 = x[2] * x[6] - x[0] * x[8];
+  const V t34 = t13 * t33;
+  const V t36 = u[0] * t24 + u[2] * t29 + u[1] * t34;
+  const V t39 = x[1] * x[3] - x[0] * x[4];
+  const V t40 = t13 * t39;
+  const V t44 = x[0] * x[5] - x[2] * x[3];
+  const V t45 = t13 * t44;
+  const V t49 = x[2] * x[4] - x[1] * x[5];
+  const V t50 = t13 * t49;
+  const V t52 = u[2] * t40 + u[1] * t45 + u[0] * t50;
+  const V t56 = u[3] * t16 + u[4] * t18 + u[5] * t14;
+  const V t60 = u[3] * t24 + u[4] * t34 + u[5] * t29;
+  const V t64 = u[5] * t40 + u[3] * t50 + u[4] * t45;
+  const V t68 = u[6] * t16 + u[8] * t14 + u[7] * t18;
+  const V t72 = u[8] * t29 + u[6] * t24 + u[7] * t34;
+  const V t76 = u[8] * t40 + u[6] * t50 + u[7] * t45;
+  const V t77 = t20 + S(2);
+  const V t81 = t20 * t77 + t56 * t56 + t68 * t68;
+  const S t83 = S(0.5) * p[0];
+  const V t85 = t76 + S(2);
+  const V t88 = t64 * t64 + t76 * t85 + t52 * t52;
+  const V t89 = t60 + S(2);
+  const V t93 = t60 * t89 + t72 * t72 + t36 * t36;
+  const V t94 = t81 + t88 + t93;
+  const V t95 = t83 * t94;
+  const V t96 = p[1] * t81 + t95;
+  const V t97 = t20 + S(1);
+  const V t101 = t60 + S(1);
+  const V t103 = t36 * t97 + t68 * t72 + t56 * t101;
+  const V t106 = t76 + S(1);
+  const V t109 = t56 * t64 + t68 * t106 + t52 * t97;
+  const V t111 = t36 * t103 + t52 * t109;
+  const V t113 = t96 * t97 + p[1] * t111;
+  const V t115 = t95 + p[1] * t93;
+  const V t120 = t64 * t101 + t36 * t52 + t72 * t106;
+  const V t123 = t52 * t120 + t97 * t103;
+  const V t125 = t36 * t115 + p[1] * t123;
+  const V t128 = t97 * t109 + t36 * t120;
+  const V t131 = t95 + p[1] * t88;
+  const V t133 = p[1] * t128 + t52 * t131;
+  const V t136 = t64 * t109 + t101 * t103;
+  const V t139 = p[1] * t136 + t56 * t96;
+  const V t142 = t64 * t120 + t56 * t103;
+  const V t145 = p[1] * t142 + t101 * t115;
+  const V t148 = t101 * t120 + t56 * t109;
+  const V t151 = p[1] * t148 + t64 * t131;
+  const V t155 = t72 * t103 + t106 * t109;
+  const V t157 = t68 * t96 + p[1] * t155;
+  const V t161 = t68 * t103 + t106 * t120;
+  const V t163 = t72 * t115 + p[1] * t161;
+  const V t167 = t72 * t120 + t68 * t109;
+  const V t169 = t106 * t131 + p[1] * t167;
+  const V t177 = t81 * t81 + t88 * t88 + t93 * t93 + S(2) * (t120 * t120 + t109 * t109 + t103 *
+      t103);
+  const V t179 = t83 * t94 * t94 + p[1] * t177;
+  const V t180 = v[0] * t12;
+  out[0] = t20;
+  out[1] = t36;
+  out[2] = t52;
+  out[3] = t56;
+  out[4] = t60;
+  out[5] = t64;
+  out[6] = t68;
+  out[7] = t72;
+  out[8] = t76;
+  out[9] = t113;
+  out[10] = t125;
+  out[11] = t133;
+  out[12] = t139;
+  out[13] = t145;
+  out[14] = t151;
+  out[15] = t157;
+  out[16] = t163;
+  out[17] = t169;
+  out[18] = S(0.25) * t179;
+  out[19] = -t180;
+}
+
+/// stress: 2132 flops per element
+template <class V>
+inline void stress([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
+    [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  V dx[72];
+  interpolate<V>(kernel::Inputs<V>{x, p, c, x, v, s}, dx, margin);
+  V du[72];
+  interpolate<V>(kernel::Inputs<V>{x, p, c, u, v, s}, du, margin);
+  V dv[8];
+  point_weights<V>(kernel::Inputs<V>{x, p, c, u, v, s}, dv, margin);
+  for (int g = 0; g < 8; ++g) {
+    stress_at_point<V>(kernel::Inputs<V>{dx + 9 * g, p, c, du + 9 * g, dv + g, s}, out + 20 * g,
+        margin);
+  }
+}
+
+using stress_steps = kernel::NoSteps;
+
 /// stiffness: linearize once, apply along every unit direction; K = -product
 template <class V>
 inline void stiffness([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
@@ -1817,6 +1952,22 @@ template <class V>
   out[0] = -S(0.5) * t0;
   out[4] = -S(0.5) * t1;
   out[8] = -S(0.5) * t2;
+}
+
+/// weights of the points: 0 flops
+template <class V>
+[[gnu::noinline]] void point_weights([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]]
+    V* out, [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  out[0] = (V{} + S(1));
+  out[1] = (V{} + S(1));
+  out[2] = (V{} + S(1));
+  out[3] = (V{} + S(1));
+  out[4] = (V{} + S(1));
+  out[5] = (V{} + S(1));
+  out[6] = (V{} + S(1));
+  out[7] = (V{} + S(1));
 }
 
 /// constants: 5 flops per element and point
@@ -2371,6 +2522,106 @@ inline void apply([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]]
 }
 
 using apply_steps = kernel::NoSteps;
+
+/// stress: 168 flops per element and point
+template <class V>
+inline void stress_at_point([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
+    [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  const V t0 = S(1) / x[0];
+  const V t1 = u[0] * t0;
+  const V t2 = S(1) / x[4];
+  const V t3 = u[1] * t2;
+  const V t4 = S(1) / x[8];
+  const V t5 = u[2] * t4;
+  const V t6 = u[3] * t0;
+  const V t7 = u[4] * t2;
+  const V t8 = u[5] * t4;
+  const V t9 = u[6] * t0;
+  const V t10 = u[7] * t2;
+  const V t11 = u[8] * t4;
+  const V t15 = t5 + t9 + t6 * t8 + t9 * t11 + t1 * t5;
+  const V t20 = t3 + t6 + t1 * t3 + t6 * t7 + t9 * t10;
+  const V t22 = u[2] * t4 * t15 + u[1] * t2 * t20;
+  const V t24 = t1 + S(1);
+  const V t25 = t0 * t0;
+  const V t29 = u[0] * u[0] + u[6] * u[6] + u[3] * u[3];
+  const V t31 = t1 + S(0.5) * t25 * t29;
+  const V t36 = u[1] * u[1] + u[7] * u[7] + u[4] * u[4];
+  const V t37 = t2 * t2;
+  const V t39 = t7 + S(0.5) * t36 * t37;
+  const V t40 = t4 * t4;
+  const V t44 = u[2] * u[2] + u[5] * u[5] + u[8] * u[8];
+  const V t46 = t11 + S(0.5) * t40 * t44;
+  const V t47 = t31 + t39 + t46;
+  const V t48 = p[0] * t47;
+  const V t49 = t48 + S(2) * p[1] * t31;
+  const V t51 = p[1] * t22 + t24 * t49;
+  const V t53 = t48 + S(2) * p[1] * t39;
+  const V t58 = t8 + t10 + t10 * t11 + t7 * t8 + t3 * t5;
+  const V t61 = u[2] * t4 * t58 + t20 * t24;
+  const V t63 = u[1] * t2 * t53 + p[1] * t61;
+  const V t65 = t48 + S(2) * p[1] * t46;
+  const V t69 = u[1] * t2 * t58 + t15 * t24;
+  const V t71 = u[2] * t4 * t65 + p[1] * t69;
+  const V t74 = t7 + S(1);
+  const V t76 = u[5] * t4 * t15 + t20 * t74;
+  const V t78 = u[3] * t0 * t49 + p[1] * t76;
+  const V t81 = u[5] * t4 * t58 + u[3] * t0 * t20;
+  const V t84 = p[1] * t81 + t53 * t74;
+  const V t88 = t58 * t74 + u[3] * t0 * t15;
+  const V t90 = u[5] * t4 * t65 + p[1] * t88;
+  const V t92 = t11 + S(1);
+  const V t95 = t15 * t92 + u[7] * t2 * t20;
+  const V t97 = u[6] * t0 * t49 + p[1] * t95;
+  const V t101 = u[6] * t0 * t20 + t58 * t92;
+  const V t103 = u[7] * t2 * t53 + p[1] * t101;
+  const V t107 = u[7] * t2 * t58 + u[6] * t0 * t15;
+  const V t109 = t65 * t92 + p[1] * t107;
+  const V t117 = t39 * t39 + t46 * t46 + t31 * t31 + S(0.5) * (t58 * t58 + t15 * t15 + t20 * t20);
+  const V t119 = p[0] * t47 * t47 + S(2) * p[1] * t117;
+  const V t120 = x[0] * x[4] * x[8] * v[0];
+  out[0] = t1;
+  out[1] = t3;
+  out[2] = t5;
+  out[3] = t6;
+  out[4] = t7;
+  out[5] = t8;
+  out[6] = t9;
+  out[7] = t10;
+  out[8] = t11;
+  out[9] = t51;
+  out[10] = t63;
+  out[11] = t71;
+  out[12] = t78;
+  out[13] = t84;
+  out[14] = t90;
+  out[15] = t97;
+  out[16] = t103;
+  out[17] = t109;
+  out[18] = S(0.5) * t119;
+  out[19] = t120;
+}
+
+/// stress: 1596 flops per element
+template <class V>
+inline void stress([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
+    [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  V dx[9];
+  jacobian<V>(kernel::Inputs<V>{x, p, c, u, v, s}, dx, margin);
+  V du[72];
+  interpolate<V>(kernel::Inputs<V>{x, p, c, u, v, s}, du, margin);
+  V dv[8];
+  point_weights<V>(kernel::Inputs<V>{x, p, c, u, v, s}, dv, margin);
+  for (int g = 0; g < 8; ++g) {
+    stress_at_point<V>(kernel::Inputs<V>{dx, p, c, du + 9 * g, dv + g, s}, out + 20 * g, margin);
+  }
+}
+
+using stress_steps = kernel::NoSteps;
 
 /// stiffness: linearize once, apply along every unit direction; K = -product
 template <class V>

@@ -9,7 +9,7 @@
 // quadrature   q1
 // split        none
 // profile      x86-cache
-// hash         45d56ed402a501219ad87906bdd57af9
+// hash         167d6505d567b6b8ebfdb052fe80fb32
 //
 // per element in double         flops  constants  state  bytes read  written  fragments
 // general  constants              52         10      0          96       80          1
@@ -19,6 +19,7 @@
 // general  product               387         10      0         272       96          1
 // general  linearize             102         10     15         176      120          1
 // general  apply                 294         10     15         296       96          1
+// general  stress                223          0      0         192      160          1
 // general  stiffness            3630         10     15         176     1152          1
 #pragma once
 
@@ -26,7 +27,7 @@
 
 namespace elastogen::kernels::stvk_tet4_q1_none::inline ELASTOGEN_INSTRUCTION_SET {
 
-inline constexpr char hash[] = "45d56ed402a501219ad87906bdd57af9";
+inline constexpr char hash[] = "167d6505d567b6b8ebfdb052fe80fb32";
 inline constexpr int dim = 3;
 inline constexpr int num_nodes = 4;
 inline constexpr int num_points = 1;
@@ -605,6 +606,122 @@ inline void apply([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]]
 }
 
 using apply_steps = kernel::NoSteps;
+
+/// stress: 223 flops per element
+template <class V>
+inline void stress([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
+    [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  const V t0 = u[0] - u[9];
+  const V t1 = x[2] - x[5];
+  const V t2 = x[1] - x[7];
+  const V t4 = x[1] - x[4];
+  const V t5 = x[2] - x[8];
+  const V t7 = t1 * t2 - t4 * t5;
+  const V t8 = x[2] - x[11];
+  const V t10 = x[1] - x[10];
+  const V t12 = t5 * t10 - t2 * t8;
+  const V t13 = x[0] - x[3];
+  const V t15 = x[0] - x[6];
+  const V t18 = t4 * t8 - t1 * t10;
+  const V t20 = x[0] - x[9];
+  const V t22 = t12 * t13 + t15 * t18 + t7 * t20;
+  const V t23 = S(1) / t22;
+  const V t24 = t7 * t23;
+  const V t26 = t12 * t23;
+  const V t27 = u[0] - u[3];
+  const V t29 = t18 * t23;
+  const V t30 = u[0] - u[6];
+  const V t32 = t0 * t24 + t26 * t27 + t29 * t30;
+  const V t35 = t8 * t15 - t5 * t20;
+  const V t36 = t23 * t35;
+  const V t40 = t5 * t13 - t1 * t15;
+  const V t41 = t23 * t40;
+  const V t45 = t1 * t20 - t8 * t13;
+  const V t46 = t23 * t45;
+  const V t48 = t27 * t36 + t0 * t41 + t30 * t46;
+  const V t51 = t2 * t20 - t10 * t15;
+  const V t52 = t23 * t51;
+  const V t56 = t4 * t15 - t2 * t13;
+  const V t57 = t23 * t56;
+  const V t61 = t10 * t13 - t4 * t20;
+  const V t62 = t23 * t61;
+  const V t64 = t27 * t52 + t0 * t57 + t30 * t62;
+  const V t65 = u[1] - u[10];
+  const V t67 = u[1] - u[7];
+  const V t69 = u[1] - u[4];
+  const V t71 = t24 * t65 + t29 * t67 + t26 * t69;
+  const V t75 = t41 * t65 + t46 * t67 + t36 * t69;
+  const V t79 = t62 * t67 + t57 * t65 + t52 * t69;
+  const V t80 = u[2] - u[8];
+  const V t82 = u[2] - u[5];
+  const V t84 = u[2] - u[11];
+  const V t86 = t29 * t80 + t26 * t82 + t24 * t84;
+  const V t90 = t46 * t80 + t41 * t84 + t36 * t82;
+  const V t94 = t52 * t82 + t57 * t84 + t62 * t80;
+  const V t97 = t32 + S(2);
+  const V t99 = t86 * t86 + t71 * t71 + t32 * t97;
+  const V t102 = t75 + S(2);
+  const V t105 = t90 * t90 + t75 * t102 + t48 * t48;
+  const V t108 = t94 + S(2);
+  const V t110 = t79 * t79 + t64 * t64 + t94 * t108;
+  const V t111 = t99 + t105 + t110;
+  const S t112 = S(0.5) * p[0];
+  const V t113 = t111 * t112;
+  const V t114 = p[1] * t99 + t113;
+  const V t115 = t32 + S(1);
+  const V t118 = t75 + S(1);
+  const V t121 = t86 * t90 + t71 * t118 + t48 * t115;
+  const V t123 = t94 + S(1);
+  const V t127 = t86 * t123 + t71 * t79 + t64 * t115;
+  const V t129 = t48 * t121 + t64 * t127;
+  const V t131 = t114 * t115 + p[1] * t129;
+  const V t133 = t113 + p[1] * t105;
+  const V t138 = t48 * t64 + t79 * t118 + t90 * t123;
+  const V t141 = t64 * t138 + t115 * t121;
+  const V t143 = t48 * t133 + p[1] * t141;
+  const V t145 = t113 + p[1] * t110;
+  const V t149 = t48 * t138 + t115 * t127;
+  const V t151 = t64 * t145 + p[1] * t149;
+  const V t155 = t79 * t127 + t118 * t121;
+  const V t157 = t71 * t114 + p[1] * t155;
+  const V t161 = t71 * t121 + t79 * t138;
+  const V t163 = t118 * t133 + p[1] * t161;
+  const V t167 = t71 * t127 + t118 * t138;
+  const V t169 = t79 * t145 + p[1] * t167;
+  const V t172 = t123 * t127 + t90 * t121;
+  const V t175 = p[1] * t172 + t86 * t114;
+  const V t178 = t86 * t121 + t123 * t138;
+  const V t181 = p[1] * t178 + t90 * t133;
+  const V t185 = t86 * t127 + t90 * t138;
+  const V t187 = t123 * t145 + p[1] * t185;
+  const V t195 = t110 * t110 + t99 * t99 + t105 * t105 + S(2) * (t138 * t138 + t127 * t127 + t121 *
+      t121);
+  const V t197 = t111 * t111 * t112 + p[1] * t195;
+  out[0] = t32;
+  out[1] = t48;
+  out[2] = t64;
+  out[3] = t71;
+  out[4] = t75;
+  out[5] = t79;
+  out[6] = t86;
+  out[7] = t90;
+  out[8] = t94;
+  out[9] = t131;
+  out[10] = t143;
+  out[11] = t151;
+  out[12] = t157;
+  out[13] = t163;
+  out[14] = t169;
+  out[15] = t175;
+  out[16] = t181;
+  out[17] = t187;
+  out[18] = S(0.25) * t197;
+  out[19] = S(0.16666666666666666) * t22;
+}
+
+using stress_steps = kernel::NoSteps;
 
 /// stiffness: linearize once, apply along every unit direction; K = -product
 template <class V>

@@ -58,18 +58,41 @@ void general_stiffness(const Arguments* batches, int count) {
         kernels::general::stiffness<V>(in, out, margin);
       });
 }
+void general_stress(const Arguments* batches, int count) {
+  elastogen::kernel::run<V, elastogen::stress_numbers * kernels::num_points,
+      kernels::general::stress_steps>(
+      batches, count, [](const auto& in, V* out, V& margin) {
+        kernels::general::stress<V>(in, out, margin);
+      });
+}
 
 constexpr const char* parameter_names[] = {"lambda", "mu", nullptr};
 constexpr elastogen::VariantTable<S> variants[] = {{"general", kernels::general::num_constants,
     kernels::general::num_state, kernels::general::reads_positions,
     kernels::general::batches_at_once, kernels::general::costs, general_constants, general_geometry,
     general_energy, general_forces, general_product, general_linearize, general_apply,
-    general_stiffness}};
+    general_stiffness, general_stress}};
+constexpr double points_weights[] = {0.16666666666666666};
+constexpr double points_shapes[] = {0.25, 0.25, 0.25, 0.25};
+constexpr double points_gradients[] = {-1, -1, -1, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+constexpr elastogen::ReferencePoints points = {1, points_weights, points_shapes, points_gradients};
+constexpr double rich_points_weights[] = {0.041666666666666664, 0.041666666666666664,
+    0.041666666666666664, 0.041666666666666664};
+constexpr double rich_points_shapes[] = {0.5854101966249684, 0.1381966011250105, 0.1381966011250105,
+    0.1381966011250105, 0.1381966011250105, 0.5854101966249684, 0.1381966011250105,
+    0.1381966011250105, 0.1381966011250105, 0.1381966011250105, 0.5854101966249684,
+    0.1381966011250105, 0.1381966011250105, 0.1381966011250105, 0.1381966011250105,
+    0.5854101966249684};
+constexpr double rich_points_gradients[] = {-1, -1, -1, 1, 0, 0, 0, 1, 0, 0, 0, 1, -1, -1, -1, 1, 0,
+    0, 0, 1, 0, 0, 0, 1, -1, -1, -1, 1, 0, 0, 0, 1, 0, 0, 0, 1, -1, -1, -1, 1, 0, 0, 0, 1, 0, 0, 0,
+    1};
+constexpr elastogen::ReferencePoints rich_points = {4, rich_points_weights, rich_points_shapes,
+    rich_points_gradients};
 constexpr elastogen::KernelTable<S> table = {elastogen::kernel_abi_version,
     elastogen::kernel::lanes_of<V>, "stvk-tet4-q1-none", "tet4", kernels::hash,
     elastogen::kernel::instruction_set, kernels::dim, kernels::num_nodes, kernels::num_points, 2,
     parameter_names, elastogen::kernel::nodal_pass<V, kernels::num_nodes, kernels::dim>, 1,
-    variants};
+    variants, points, rich_points};
 
 }  // namespace
 

@@ -33,6 +33,11 @@
 //   linearize  as energy                                          [k * stride + e], k < num_state
 //   apply      nodes slots positions* parameters constants        partial, p
 //              direction state
+//   stress     nodes positions parameters displacement            [k * stride + e], 20 numbers for
+//                                                                 each point one after the other:
+//                                                                 H[i * 3 + j] = dU_i/dX_j,
+//                                                                 P[i * 3 + j] = dW/dH_ij, W, and
+//                                                                 the rest volume it stands for
 //   *: only where the source says reads_positions
 //
 // Outputs are overwritten, each by one element: no atomics, and the same bits in every run.

@@ -11,12 +11,12 @@
 #include "symgen/dag/differentiate.h"
 #include "symgen/mechanics/reference_gradients.h"
 #include "symgen/passes/absorb_factor.h"
-#include "symgen/passes/balance_numbers.h"
 #include "symgen/passes/cost.h"
 #include "symgen/passes/extract_grouped_constants.h"
 #include "symgen/passes/factor.h"
 #include "symgen/passes/group_stages.h"
 #include "symgen/passes/share_pairs.h"
+#include "symgen/passes/simplify.h"
 
 namespace elastogen::symgen {
 namespace {
@@ -32,26 +32,6 @@ std::vector<Value> selected(const std::vector<Value>& values, const std::vector<
   std::vector<Value> result;
   for (const int index : indices) result.push_back(values[index]);
   return result;
-}
-
-std::size_t num_needed(const Dag& dag, const std::vector<NodeId>& roots) {
-  const std::vector<bool> needed = dag.reachable(roots);
-  return static_cast<std::size_t>(std::count(needed.begin(), needed.end(), true));
-}
-
-/// The passes that see one fragment at a time. What is known at rest is left whole: it is shared
-/// between the fragments of all operations, later.
-Graph simplified(Graph graph, StageLog& log) {
-  const auto end = [&](const char* stage) { log.end(stage, num_needed(graph.dag, graph.roots)); };
-  graph = factor(graph);
-  end("factor");
-  graph = group_stages(graph);
-  end("group_stages");
-  graph = share_pairs(graph, Stage::state);
-  end("share_pairs");
-  graph = balance_numbers(graph);
-  end("balance_numbers");
-  return graph;
 }
 
 /// Values and derivatives of one energy part, in a graph of their own.
@@ -186,7 +166,7 @@ class Builder {
     const auto simplified_copy = [&](const std::vector<NodeId>& roots) {
       Graph copy{Dag(whole.dag.number_pool()), {}};
       copy.roots = copy_into(copy.dag, whole.dag, roots);
-      return simplified(std::move(copy), log_);
+      return simplified(std::move(copy), Stage::state, log_);
     };
     const Graph gradients = simplified_copy(graph.gradients);
     loop.interpolate = map_of("interpolate", gradients, names_of(whole.dag, whole.displacement),
@@ -311,38 +291,28 @@ class Builder {
     linearize_.num_outputs = kernels_.num_state;
   }
 
-  void schedule() {
+  /// Every operation's pieces are final before this.
+  void schedule_all() {
     constants_ = {"constants", static_cast<int>(kernels_.constants.size()), {}, {}};
     constants_.pieces.push_back({kernels_.constants, counting(kernels_.constants.size())});
-    const std::optional<AbsorbedFactor> absorbed = factor_in_constant();
     const Inputs plain = symbols();
     const Inputs of_nodes = inputs_named(node_positions_, Slot::position, Stage::rest);
     Inputs with_constants = plain;
     for (std::size_t k = 0; k < kernels_.constants.size(); ++k) {
       with_constants[kernels_.constants[k]] = {Slot::constant, static_cast<int>(k)};
     }
+    Inputs with_state = with_constants;
+    for (const auto& [id, index] : state_index_) with_state[id] = {Slot::state, index};
+    absorb_factor_in_constant();
     for (OperationKernels* operation :
          {&constants_, &geometry_, &energy_, &forces_, &product_, &linearize_, &apply_}) {
       const bool at_rest = operation == &constants_ || operation == &geometry_;
-      const SumStyle style = operation->pieces.size() > 1 ? SumStyle::plain : SumStyle::grouped;
-      for (std::size_t k = 0; k < operation->pieces.size(); ++k) {
-        Inputs inputs = operation == &geometry_ ? of_nodes : at_rest ? plain : with_constants;
-        if (operation == &apply_) {
-          for (const auto& [id, index] : state_index_) inputs[id] = {Slot::state, index};
-        }
-        Piece each = operation->pieces[k];
-        if (absorbed) write_with(*absorbed, *operation, each.roots);
-        std::vector<int> outputs = each.outputs;
-        outputs.resize(each.roots.size() + each.margins.size(), Output::margin);
-        const std::vector<NodeId> values = values_of(each);
-        operation->fragments.push_back(make_fragment(kernels_.dag, values, outputs, inputs, style));
-        if (!at_rest && operation->pieces.size() == 1) {
-          operation->steps = make_steps(kernels_.dag, values, outputs, inputs, style);
-        }
-        if (!at_rest && !indices_read(operation->fragments.back(), Slot::position).empty()) {
-          kernels_.reads_positions = true;
-        }
-      }
+      const Inputs& inputs = operation == &geometry_ ? of_nodes
+                             : at_rest               ? plain
+                             : operation == &apply_  ? with_state
+                                                     : with_constants;
+      schedule(*operation, kernels_.dag, inputs, !at_rest);
+      if (!at_rest && reads(*operation, Slot::position)) kernels_.reads_positions = true;
       kernels_.operations.push_back(std::move(*operation));
     }
     end_stage("kernel_ast");
@@ -361,7 +331,7 @@ class Builder {
     roots.insert(roots.end(), margins.begin(), margins.end());
     Graph graph{Dag(source.number_pool()), {}};
     graph.roots = copy_into(graph.dag, source, roots);
-    graph = simplified(std::move(graph), log_);
+    graph = simplified(std::move(graph), Stage::state, log_);
     roots = copy_into(kernels_.dag, graph.dag, graph.roots);
     const auto first_margin = roots.begin() + static_cast<std::ptrdiff_t>(outputs.size());
     Piece result{{roots.begin(), first_margin}, std::move(outputs), {first_margin, roots.end()}};
@@ -372,12 +342,9 @@ class Builder {
   OperationKernels map_of(const std::string& name, const Graph& graph,
                           const std::vector<std::string>& inputs, Slot slot, Stage stage) {
     OperationKernels operation{name, static_cast<int>(graph.roots.size()), {}, {}};
-    const Piece piece{copy_into(kernels_.dag, graph.dag, graph.roots),
-                      counting(graph.roots.size())};
-    operation.pieces.push_back(piece);
-    operation.fragments.push_back(make_fragment(kernels_.dag, piece.roots, piece.outputs,
-                                                inputs_named(inputs, slot, stage),
-                                                SumStyle::grouped));
+    operation.pieces.push_back(
+        {copy_into(kernels_.dag, graph.dag, graph.roots), counting(graph.roots.size())});
+    schedule(operation, kernels_.dag, inputs_named(inputs, slot, stage), false);
     return operation;
   }
 
@@ -411,15 +378,9 @@ class Builder {
     return inputs;
   }
 
-  /// Everything that a piece computes.
-  static std::vector<NodeId> values_of(const Piece& piece) {
-    std::vector<NodeId> values = piece.roots;
-    values.insert(values.end(), piece.margins.begin(), piece.margins.end());
-    return values;
-  }
-
-  /// Energies, forces and products may all be proportional to one constant.
-  std::optional<AbsorbedFactor> factor_in_constant() const {
+  /// Energies, forces and products may all be proportional to one constant, which then takes what
+  /// multiplies them.
+  void absorb_factor_in_constant() {
     std::vector<NodeId> nodal, energies, margins;
     for (const auto* operation : {&energy_, &forces_, &product_}) {
       std::vector<NodeId>& results = operation == &energy_ ? energies : nodal;
@@ -428,17 +389,16 @@ class Builder {
         margins.insert(margins.end(), each.margins.begin(), each.margins.end());
       }
     }
-    return absorb_factor(kernels_.dag, nodal, energies, margins, kernels_.constants);
-  }
-
-  /// What an operation has to compute where one constant has absorbed a factor.
-  void write_with(const AbsorbedFactor& absorbed, const OperationKernels& operation,
-                  std::vector<NodeId>& roots) {
-    if (operation.name == "constants") {
-      roots[absorbed.constant] = kernels_.dag.scale(absorbed.factor, roots[absorbed.constant]);
-    } else if (operation.name == "energy" || is_nodal(operation.name)) {
-      const NumberId inverse = kernels_.dag.numbers().inverse(absorbed.factor);
-      for (NodeId& root : roots) root = kernels_.dag.scale(inverse, root);
+    const std::optional<AbsorbedFactor> absorbed =
+        absorb_factor(kernels_.dag, nodal, energies, margins, kernels_.constants);
+    if (!absorbed) return;
+    NodeId& stored = constants_.pieces[0].roots[absorbed->constant];
+    stored = kernels_.dag.scale(absorbed->factor, stored);
+    const NumberId inverse = kernels_.dag.numbers().inverse(absorbed->factor);
+    for (OperationKernels* operation : {&energy_, &forces_, &product_, &apply_}) {
+      for (Piece& each : operation->pieces) {
+        for (NodeId& root : each.roots) root = kernels_.dag.scale(inverse, root);
+      }
     }
   }
 
@@ -479,7 +439,7 @@ VariantKernels build_kernels(ElementGraph graph, Geometry geometry, const Split&
   builder.collect_pieces();
   builder.collect_geometry(builder.element());
   builder.choose_what_is_stored(grouping);
-  builder.schedule();
+  builder.schedule_all();
   return builder.take();
 }
 
@@ -492,7 +452,7 @@ VariantKernels build_point_kernels(PointwiseGraph graph, Geometry geometry, cons
   builder.collect_geometry(graph.whole);
   builder.choose_what_is_stored(grouping);
   builder.collect_loop(graph);
-  builder.schedule();
+  builder.schedule_all();
   return builder.take();
 }
 
@@ -510,7 +470,7 @@ long typical_fragment_flops(ElementGraph graph, const Split& split) {
     Graph piece{Dag(graph.dag.number_pool()), {}};
     piece.roots = copy_into(piece.dag, derivatives.dag, selected(derivatives.product, rows));
     StageLog unread;
-    piece = simplified(std::move(piece), unread);
+    piece = simplified(std::move(piece), Stage::state, unread);
     largest = std::max(largest, flops_after_rest(piece));
   }
   return largest;

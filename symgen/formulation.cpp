@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "symgen/build_kernels.h"
+#include "symgen/build_stress.h"
 
 namespace elastogen::symgen {
 
@@ -55,15 +56,26 @@ VariantKernels kernels_of(const Formulation& formulation, const Law& law, Geomet
                           const Split& split, const Profile& profile, Grouping grouping,
                           StageLog& log) {
   if (split.text() == "none" && may_be_loops(formulation, profile)) {
+    StageLog of_loops = log;
     PointwiseGraph graph = formulation.pointwise_graph(law, geometry);
-    log.end("pointwise_graph", graph.point.dag.size() + graph.whole.dag.size());
+    of_loops.end("pointwise_graph", graph.point.dag.size() + graph.whole.dag.size());
     VariantKernels kernels =
-        build_point_kernels(std::move(graph), geometry, profile, grouping, log);
-    if (kernels.flops("product") > profile.straight_line_flops) return kernels;
+        build_point_kernels(std::move(graph), geometry, profile, grouping, of_loops);
+    if (kernels.flops("product") > profile.straight_line_flops) {
+      add_stress(kernels,
+                 formulation.pointwise_stress_graph(law, geometry, kernels.dag.number_pool()),
+                 split, of_loops);
+      log = std::move(of_loops);
+      return kernels;
+    }
+    log.end("loops over points (not taken)", kernels.dag.size());
   }
   ElementGraph graph = formulation.graph(law, geometry);
   log.end("element_graph", graph.dag.size());
-  return build_kernels(std::move(graph), geometry, split, profile, grouping, log);
+  VariantKernels kernels = build_kernels(std::move(graph), geometry, split, profile, grouping, log);
+  add_stress(kernels, formulation.stress_graph(law, geometry, kernels.dag.number_pool()), split,
+             log);
+  return kernels;
 }
 
 }  // namespace elastogen::symgen

@@ -5,6 +5,7 @@
 #include "symgen/build_kernels.h"
 #include "symgen/mechanics/element_graph.h"
 #include "symgen/mechanics/energy.h"
+#include "symgen/mechanics/stress_graph.h"
 #include "symgen/passes/profile.h"
 #include "symgen/passes/split.h"
 #include "symgen/pipeline.h"
@@ -16,6 +17,7 @@ struct Formulation {
       : element(find_element(id.element)),
         quadrature(find_quadrature(id.element, id.quadrature)),
         energy(energy_density(law, element.dim, {stabilise})),
+        stress{{stabilise}, derivation},
         derivation(derivation) {
     check_association(id, law);
   }
@@ -25,9 +27,18 @@ struct Formulation {
   [[nodiscard]] PointwiseGraph pointwise_graph(const Law& law, Geometry geometry) const {
     return build_pointwise_graph(law, energy, element, quadrature, geometry);
   }
+  [[nodiscard]] StressGraph stress_graph(const Law& law, Geometry geometry,
+                                         const std::shared_ptr<NumberPool>& numbers) const {
+    return build_stress_graph(law, element, quadrature, geometry, stress, numbers);
+  }
+  [[nodiscard]] StressGraph pointwise_stress_graph(
+      const Law& law, Geometry geometry, const std::shared_ptr<NumberPool>& numbers) const {
+    return build_pointwise_stress_graph(law, element, quadrature, geometry, stress, numbers);
+  }
   const Element& element;
   const Quadrature& quadrature;
   EnergyDensity energy;
+  StressOptions stress;
   Derivation derivation;
 };
 

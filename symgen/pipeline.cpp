@@ -32,6 +32,9 @@ std::size_t numbers_read(const VariantKernels& kernels, const OperationKernels& 
       return read * static_cast<std::size_t>(kernels.num_constant_sets());
     case Slot::state:
       return read * static_cast<std::size_t>(kernels.num_points);
+    case Slot::direction:
+      if (reads_weights(operation.name)) return 0;
+      [[fallthrough]];
     default:  // nodal values, of which gradients are interpolated
       return read > 0 ? static_cast<std::size_t>(kernels.num_nodes * kernels.dim) : 0;
   }
@@ -150,12 +153,18 @@ std::string registration_symbol(const AssociationId& id, const Instantiation& wh
 
 std::string registration_source(const AssociationId& id, const Law& law,
                                 const Instantiation& what) {
-  std::vector<std::string> parameter_names, geometries;
-  for (const Parameter& parameter : law.parameters) parameter_names.push_back(parameter.name);
-  for (const Geometry geometry : geometries_of(find_element(id.element))) {
-    geometries.push_back(geometry_name(geometry));
+  const Element& element = find_element(id.element);
+  const Quadrature& quadrature = find_quadrature(id.element, id.quadrature);
+  const Quadrature& rich = richest_quadrature(id.element);
+  Registration registration{id, {}, {}, reference_points(element, quadrature), std::nullopt};
+  for (const Parameter& parameter : law.parameters) {
+    registration.parameter_names.push_back(parameter.name);
   }
-  return print_cpp_registration(id, parameter_names, geometries, what);
+  for (const Geometry geometry : geometries_of(element)) {
+    registration.geometries.push_back(geometry_name(geometry));
+  }
+  if (rich.name != quadrature.name) registration.rich_points = reference_points(element, rich);
+  return print_cpp_registration(registration, what);
 }
 
 std::string dot_graph(const AssociationId& id, const Law& law, const GenerateOptions& options,

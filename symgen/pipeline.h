@@ -14,6 +14,8 @@
 //     -> grouped constants, state     symgen/passes/extract_grouped_constants
 //     -> statements in order          symgen/emit/kernel_ast
 //     -> steps around functions       symgen/passes/cut_at_functions (C++ only)
+//     -> beside them: stress        symgen/mechanics/stress_graph, symgen/build_stress
+//                                   (nothing stored; the other operations stay as they are)
 //     -> C++ text, OpenCL C text      symgen/emit/print_cpp, print_opencl (both of the same
 //                                     statements, by the walk of operation_printer)
 //
@@ -63,8 +65,9 @@ struct GenerateOptions {
 
 /// Cost of one operation of one geometry variant.
 struct OperationReport {
-  std::string
-      name;  ///< "energy", "forces", "product", "linearize", "apply", "stiffness", "constants"
+  /// "constants", "geometry", "energy", "forces", "product", "linearize", "apply", "stress",
+  /// "stiffness"
+  std::string name;
   long flops = 0;     ///< per element; FMA = 2, a division or a function counts as 1 here
   int constants = 0;  ///< grouped constants read (for `constants`: written)
   int state = 0;      ///< state numbers read or written
@@ -102,7 +105,7 @@ struct Instantiation {
   bool single_precision = false;  ///< float instead of double
   bool simd = true;               ///< packs of elements; else one element at a time
   /// Operations beside constants and geometry: subset of {"energy", "forces", "product",
-  /// "linearize", "apply", "stiffness"}; the others' table entries are null.
+  /// "linearize", "apply", "stiffness", "stress"}; the others' table entries are null.
   std::vector<std::string> operations;
 };
 

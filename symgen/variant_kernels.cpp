@@ -15,9 +15,29 @@ OperationCount count_of(const OperationKernels& operation) {
 
 }  // namespace
 
+std::vector<NodeId> values_of(const Piece& piece) {
+  std::vector<NodeId> values = piece.roots;
+  values.insert(values.end(), piece.margins.begin(), piece.margins.end());
+  return values;
+}
+
+void schedule(OperationKernels& operation, const Dag& dag, const Inputs& inputs, bool in_steps) {
+  const bool is_one = operation.pieces.size() == 1;
+  const SumStyle style = is_one ? SumStyle::grouped : SumStyle::plain;
+  for (const Piece& piece : operation.pieces) {
+    const std::vector<NodeId> values = values_of(piece);
+    std::vector<int> outputs = piece.outputs;
+    outputs.resize(values.size(), Output::margin);
+    operation.fragments.push_back(make_fragment(dag, values, outputs, inputs, style));
+    if (in_steps && is_one) operation.steps = make_steps(dag, values, outputs, inputs, style);
+  }
+}
+
 bool is_nodal(const std::string& operation) {
   return operation == "forces" || operation == "product" || operation == "apply";
 }
+
+bool reads_weights(const std::string& operation) { return operation == "stress"; }
 
 bool reads(const OperationKernels& operation, Slot slot) {
   return std::any_of(operation.fragments.begin(), operation.fragments.end(),
@@ -31,7 +51,8 @@ OperationCount VariantKernels::operations_of(const std::string& name) const {
   const bool is_once = name == "constants" && loop->is_affine;
   OperationCount total = of_kernel.times(is_once ? 1 : num_points);
   for (const Slot field : {Slot::position, Slot::displacement, Slot::direction}) {
-    if (!reads(kernel, field)) continue;
+    const bool is_weight = field == Slot::direction && reads_weights(name);
+    if (is_weight || !reads(kernel, field)) continue;
     const bool is_same = field == Slot::position && loop->is_affine;
     total += count_of(is_same ? loop->jacobian : loop->interpolate);
   }

@@ -22,14 +22,23 @@ struct Piece {
 struct OperationKernels {
   std::string name;
   int num_outputs = 0;
-  std::vector<Piece> pieces;        ///< in VariantKernels::dag, before scheduling
+  std::vector<Piece> pieces;        ///< in VariantKernels::dag
   std::vector<Fragment> fragments;  ///< one per piece
   /// The one fragment in steps, if it waits for functions.
   std::optional<Steps> steps = std::nullopt;
 };
 
+/// Everything that a piece computes, margins last.
+[[nodiscard]] std::vector<NodeId> values_of(const Piece& piece);
+
+/// Makes an operation's fragments of its pieces.
+/// @param in_steps  also in steps, where it is one piece that waits for functions
+void schedule(OperationKernels& operation, const Dag& dag, const Inputs& inputs, bool in_steps);
+
 /// Whether an operation gives nodal values: forces, product, apply.
 [[nodiscard]] bool is_nodal(const std::string& operation);
+/// Whether an operation takes weights of points for a direction.
+[[nodiscard]] bool reads_weights(const std::string& operation);
 /// Whether an operation depends on an input array.
 [[nodiscard]] bool reads(const OperationKernels& operation, Slot slot);
 
@@ -37,7 +46,7 @@ struct OperationKernels {
 /// reference coordinates instead of nodal values, and gives fluxes instead of nodal forces:
 ///   energy                     interpolate, each point, weigh
 ///   forces, product, apply     interpolate, each point, integrate
-///   linearize                  interpolate, each point
+///   linearize, stress          interpolate, each point; of stress the direction is its weight
 ///   constants                  Jacobians, each point, or once if these are the same
 struct PointLoop {
   std::vector<NumberId> weights;  ///< of the points
@@ -50,6 +59,8 @@ struct PointLoop {
   OperationKernels weigh;
   /// The Jacobian [i * dim + k] from positions, if affine; else it is interpolated from them.
   OperationKernels jacobian;
+  /// The weights as an array, for stress.
+  OperationKernels point_weights;
 };
 
 /// All operations of one geometry variant of an association.
@@ -60,8 +71,8 @@ struct VariantKernels {
   std::vector<NodeId> constants;  ///< stored grouped constants, in the order of their storage
   int constants_algorithm6 = 0;   ///< what algorithm 6 stores
   int num_state = 0;
-  bool reads_positions = false;  ///< energy ... stiffness read rest positions
-  /// constants, geometry, energy, forces, product, linearize, apply, in this order
+  bool reads_positions = false;  ///< energy ... stiffness read rest positions; stress always does
+  /// constants, geometry, energy, forces, product, linearize, apply, stress, in this order
   std::vector<OperationKernels> operations;
   /// If set, operations (but not geometry), constants and state are those of one point.
   std::optional<PointLoop> loop;

@@ -33,7 +33,7 @@ nlohmann::json variant_summary(const symgen::VariantReport& variant) {
 symgen::Instantiation all_operations(bool single_precision) {
   symgen::Instantiation what;
   what.single_precision = single_precision;
-  what.operations = {"energy", "forces", "product", "linearize", "apply", "stiffness"};
+  what.operations = {"energy", "forces", "product", "linearize", "apply", "stiffness", "stress"};
   return what;
 }
 

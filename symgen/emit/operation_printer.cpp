@@ -18,6 +18,7 @@ constexpr const char* interpolate = "interpolate";
 constexpr const char* integrate = "integrate";
 constexpr const char* weigh = "weigh";
 constexpr const char* jacobian_of = "jacobian";
+constexpr const char* point_weights = "point_weights";
 
 std::string summary(const OperationKernels& operation, std::size_t num_groups) {
   long flops = 0;
@@ -126,6 +127,7 @@ void OperationPrinter::print_maps(const PointLoop& loop, SourceWriter& out) cons
   print_map(loop.integrate, integrate, "nodal values of the fluxes u at all points");
   print_map(loop.weigh, weigh, "energy of the densities u at all points");
   if (loop.is_affine) print_map(loop.jacobian, jacobian_of, "Jacobian of rest positions x");
+  print_map(loop.point_weights, point_weights, "weights of the points");
 }
 
 std::string OperationPrinter::print_gradients(const VariantKernels& kernels,
@@ -157,8 +159,16 @@ void OperationPrinter::print_loop(const VariantKernels& kernels, const Operation
   Arrays point;
   if (reads(operation, Slot::position)) point.x = print_gradients(kernels, "x", out);
   if (reads(operation, Slot::displacement)) point.u = print_gradients(kernels, "u", out);
-  if (reads(operation, Slot::direction)) point.v = print_gradients(kernels, "v", out);
-  if (!is_constants && !is_same_everywhere) {
+  if (reads_weights(name)) {
+    out.line(array("dv", kernels.num_points));
+    Arrays weights;
+    weights.out = "dv";
+    out.line(call_with(function_name(point_weights), weights));
+    point.v = "dv + g";
+  } else if (reads(operation, Slot::direction)) {
+    point.v = print_gradients(kernels, "v", out);
+  }
+  if (!is_constants && !is_same_everywhere && name != "stress") {
     point.c = stored_at("c", fmt::format("{} * g", kernels.constants.size()));
   }
   if (name == "apply") point.s = stored_at("s", fmt::format("{} * g", kernels.num_state));

@@ -219,6 +219,21 @@ void print_no_steps(const std::string& operation, SourceWriter& out) {
   out.line();
 }
 
+/// Arrays of shape functions at points, and the structure that refers to them.
+void print_points(const std::string& name, const ReferencePoints& points, SourceWriter& out) {
+  const auto print_array = [&](const char* what, const std::vector<double>& values) {
+    out.line(
+        fmt::format("constexpr double {}_{}[] = {{{}}};", name, what, fmt::join(values, ", ")));
+  };
+  print_array("weights", points.weights);
+  print_array("shapes", points.shapes);
+  print_array("gradients", points.gradients);
+  out.line(
+      fmt::format("constexpr elastogen::ReferencePoints {0} = {{{1}, {0}_weights, {0}_shapes, "
+                  "{0}_gradients}};",
+                  name, points.weights.size()));
+}
+
 void set_code_bytes(VariantReport& report, const std::string& name, std::size_t bytes) {
   for (OperationReport& operation : report.operations) {
     if (operation.name == name) operation.code_bytes = static_cast<long>(bytes);
@@ -279,10 +294,8 @@ std::string print_cpp_header(const AssociationId& id, const Provenance& provenan
   return out.take();
 }
 
-std::string print_cpp_registration(const AssociationId& id,
-                                   const std::vector<std::string>& parameter_names,
-                                   const std::vector<std::string>& geometries,
-                                   const Instantiation& what) {
+std::string print_cpp_registration(const Registration& registration, const Instantiation& what) {
+  const AssociationId& id = registration.id;
   struct Entry {
     const char *name, *num_outputs;
     bool always;
@@ -296,6 +309,7 @@ std::string print_cpp_registration(const AssociationId& id,
       {"linearize", "kernels::{}::num_state", false},
       {"apply", "num_dofs", false},
       {"stiffness", "num_dofs * num_dofs", false},
+      {"stress", "elastogen::stress_numbers * kernels::num_points", false},
   };
   for (const std::string& name : what.operations) {
     if (std::none_of(entries.begin(), entries.end(),
@@ -323,7 +337,7 @@ std::string print_cpp_registration(const AssociationId& id,
   out.line("[[maybe_unused]] constexpr int num_dofs = kernels::num_nodes * kernels::dim;");
   out.line();
   std::string variants;
-  for (const std::string& geometry : geometries) {
+  for (const std::string& geometry : registration.geometries) {
     variants += fmt::format(
         "{{\"{0}\", kernels::{0}::num_constants, kernels::{0}::num_state, "
         "kernels::{0}::reads_positions, kernels::{0}::batches_at_once, kernels::{0}::costs",
@@ -356,19 +370,23 @@ std::string print_cpp_registration(const AssociationId& id,
   }
   out.line();
   std::string names;
-  for (const std::string& name : parameter_names) names += fmt::format("\"{}\", ", name);
+  for (const std::string& name : registration.parameter_names)
+    names += fmt::format("\"{}\", ", name);
   out.line(fmt::format("constexpr const char* parameter_names[] = {{{}nullptr}};", names));
   out.line(fmt::format("constexpr elastogen::VariantTable<S> variants[] = {{{}}};",
                        variants.substr(0, variants.size() - 2)));
-  out.line(
-      fmt::format("constexpr elastogen::KernelTable<S> table = {{elastogen::kernel_abi_version, "
-                  "elastogen::kernel::lanes_of<V>, \"{}\", \"{}\", kernels::hash, "
-                  "elastogen::kernel::instruction_set, "
-                  "kernels::dim, kernels::num_nodes, kernels::num_points, {}, "
-                  "parameter_names, "
-                  "elastogen::kernel::nodal_pass<V, kernels::num_nodes, kernels::dim>, "
-                  "{}, variants}};",
-                  id.text(), id.element, parameter_names.size(), geometries.size()));
+  print_points("points", registration.points, out);
+  if (registration.rich_points) print_points("rich_points", *registration.rich_points, out);
+  out.line(fmt::format(
+      "constexpr elastogen::KernelTable<S> table = {{elastogen::kernel_abi_version, "
+      "elastogen::kernel::lanes_of<V>, \"{}\", \"{}\", kernels::hash, "
+      "elastogen::kernel::instruction_set, "
+      "kernels::dim, kernels::num_nodes, kernels::num_points, {}, "
+      "parameter_names, "
+      "elastogen::kernel::nodal_pass<V, kernels::num_nodes, kernels::dim>, "
+      "{}, variants, points, {}}};",
+      id.text(), id.element, registration.parameter_names.size(), registration.geometries.size(),
+      registration.rich_points ? "rich_points" : "points"));
   out.line();
   out.line("}  // namespace");
   out.line();

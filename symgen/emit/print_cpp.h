@@ -1,10 +1,12 @@
 // Generated C++: kernel templates over the scalar type.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "symgen/emit/provenance.h"
+#include "symgen/mechanics/reference_points.h"
 #include "symgen/variant_kernels.h"
 
 namespace elastogen::symgen {
@@ -15,10 +17,16 @@ namespace elastogen::symgen {
                                            const std::vector<VariantKernels>& variants,
                                            std::vector<VariantReport>& reports);
 
+/// What a registration source says of an association beside its kernels.
+struct Registration {
+  AssociationId id;
+  std::vector<std::string> parameter_names, geometries;
+  ReferencePoints points;
+  std::optional<ReferencePoints> rich_points;  ///< none: the same as `points`
+};
+
 /// See registration_source in pipeline.h.
-[[nodiscard]] std::string print_cpp_registration(const AssociationId& id,
-                                                 const std::vector<std::string>& parameter_names,
-                                                 const std::vector<std::string>& geometries,
+[[nodiscard]] std::string print_cpp_registration(const Registration& registration,
                                                  const Instantiation& what);
 
 }  // namespace elastogen::symgen

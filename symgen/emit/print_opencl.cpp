@@ -97,7 +97,7 @@ class OpenclPrinter : public OperationPrinter {
 /// What an operation needs of the mesh and how its results leave it.
 struct Interface {
   const char* operation;
-  bool positions;  ///< always; the others where the variant reads positions
+  bool positions;  ///< always, and no constants; the others where the variant reads positions
   bool displacement, direction;
   bool scatters;  ///< into slots; else rows of the output
 };
@@ -107,7 +107,7 @@ const Interface& interface_of(const std::string& operation) {
       {"constants", true, false, false, false}, {"geometry", true, false, false, false},
       {"energy", false, true, false, false},    {"forces", false, true, false, true},
       {"product", false, true, true, true},     {"linearize", false, true, false, false},
-      {"apply", false, false, true, true},
+      {"apply", false, false, true, true},      {"stress", true, true, false, false},
   };
   for (const Interface& each : interfaces) {
     if (each.operation == operation) return each;

@@ -12,13 +12,6 @@
 namespace elastogen::symgen {
 namespace {
 
-/// Row after row.
-void append(std::vector<NodeId>& entries, const NodeMatrix& matrix) {
-  for (const std::vector<NodeId>& row : matrix) {
-    entries.insert(entries.end(), row.begin(), row.end());
-  }
-}
-
 /// Builds the parts of the graph that belong to one quadrature point after the other.
 class Builder {
  public:
@@ -26,7 +19,7 @@ class Builder {
       : element_(element),
         quadrature_(quadrature),
         geometry_(geometry),
-        gradients_(element, quadrature) {}
+        shape_(element, quadrature, geometry) {}
 
   void add_inputs(const Law& law) {
     add_parameters(law);
@@ -34,29 +27,22 @@ class Builder {
   }
 
   void add_fields() {
-    const auto add = [&](std::vector<NodeId>& nodes, const std::string& letter, Stage stage) {
-      for (int a = 0; a < element_.num_nodes(); ++a) {
-        for (int i = 0; i < element_.dim; ++i) {
-          nodes.push_back(graph_.dag.symbol(nodal_name(letter, a, i), stage));
-        }
-      }
-    };
-    add(graph_.positions, "X", Stage::rest);
-    add(graph_.displacement, "U", Stage::state);
-    add(graph_.direction, "V", Stage::direction);
+    graph_.positions = nodal_inputs(graph_.dag, "X", element_, Stage::rest);
+    graph_.displacement = nodal_inputs(graph_.dag, "U", element_, Stage::state);
+    graph_.direction = nodal_inputs(graph_.dag, "V", element_, Stage::direction);
   }
 
   void add_energies(const Law& law, const EnergyDensity& energy, Derivation derivation) {
     std::optional<GinacDerivatives> by_ginac;
     if (derivation == Derivation::ginac) {
-      by_ginac.emplace(law, energy, element_.num_nodes(), gradients_.differences(),
+      by_ginac.emplace(law, energy, element_.num_nodes(), shape_.gradients().differences(),
                        graph_.dag.number_pool());
       graph_.derivatives.resize(energy.terms.size());
     }
     for (int g = 0; g < quadrature_.num_points(); ++g) {
       const NodeMatrix jacobian = jacobian_at(g);
       const NodeMatrix inverse = add_jacobian(jacobian);
-      const NodeMatrix gradient = gradients_.of(graph_.dag, graph_.displacement, g);
+      const NodeMatrix gradient = shape_.gradients().of(graph_.dag, graph_.displacement, g);
       const ExactNumber weight = exact_value(quadrature_.weights[g], {});
       add_point(law, energy, inverse, gradient, weight);
       if (!by_ginac) continue;
@@ -64,7 +50,7 @@ class Builder {
           graph_.parameters,
           graph_.displacement,
           graph_.direction,
-          gradients_.coefficients(graph_.dag, g),
+          shape_.gradients().coefficients(graph_.dag, g),
           inverse,
           graph_.dag.scale(graph_.dag.numbers().intern(weight), graph_.determinants.back())};
       for (std::size_t l = 0; l < energy.terms.size(); ++l) {
@@ -112,19 +98,13 @@ class Builder {
     const auto inputs = [&](const char* field, Stage stage) {
       return gradient_inputs(graph_.dag, field, element_.dim, stage);
     };
-    NodeMatrix jacobian = inputs("X", Stage::rest);
+    const NodeMatrix jacobian = inputs("X", Stage::rest);
     const NodeMatrix gradient = inputs("U", Stage::state);
     append(graph_.positions, jacobian);
     append(graph_.displacement, gradient);
     append(graph_.direction, inputs("V", Stage::direction));
-    if (geometry_ == Geometry::box) {
-      for (int i = 0; i < element_.dim; ++i) {
-        for (int k = 0; k < element_.dim; ++k) {
-          if (i != k) jacobian[i][k] = graph_.dag.number(NumberPool::zero);
-        }
-      }
-    }
-    add_point(law, energy, add_jacobian(jacobian), gradient, ExactNumber(cln::cl_RA(1)));
+    add_point(law, energy, add_jacobian(shape_.jacobian_of(graph_.dag, jacobian)), gradient,
+              ExactNumber(cln::cl_RA(1)));
   }
 
   /// d X_i / d xi_k, as [i * dim + k]: at each point after the other, or once where they are the
@@ -141,7 +121,7 @@ class Builder {
   /// The Jacobian's determinant at each point, where no energies have asked for it.
   void add_determinants() {
     for (int g = 0; g < quadrature_.num_points(); ++g) {
-      graph_.determinants.push_back(determinant_of(jacobian_at(g)));
+      graph_.determinants.push_back(determinant_of(graph_.dag, jacobian_at(g)));
     }
   }
 
@@ -149,7 +129,7 @@ class Builder {
   std::vector<NodeId> displacement_gradients() {
     std::vector<NodeId> entries;
     for (int g = 0; g < quadrature_.num_points(); ++g) {
-      append(entries, gradients_.of(graph_.dag, graph_.displacement, g));
+      append(entries, shape_.gradients().of(graph_.dag, graph_.displacement, g));
     }
     return entries;
   }
@@ -168,8 +148,8 @@ class Builder {
 
   /// Takes the determinant to the graph's; returns the inverse.
   NodeMatrix add_jacobian(const NodeMatrix& jacobian) {
-    graph_.determinants.push_back(determinant_of(jacobian));
-    return inverse_of(jacobian);
+    graph_.determinants.push_back(determinant_of(graph_.dag, jacobian));
+    return shape_.inverse(graph_.dag, jacobian);
   }
 
   /// Energies at the point of the last determinant.
@@ -177,7 +157,7 @@ class Builder {
   void add_point(const Law& law, const EnergyDensity& energy, const NodeMatrix& inverse_jacobian,
                  const NodeMatrix& gradient, const ExactNumber& exact_weight) {
     const NodeId determinant = graph_.determinants.back();
-    const NodeMatrix displacement_gradient = matrix_product(gradient, inverse_jacobian);
+    const NodeMatrix displacement_gradient = matrix_product(graph_.dag, gradient, inverse_jacobian);
     SymbolNodes symbols;
     for (std::size_t p = 0; p < law.parameters.size(); ++p) {
       symbols[law.parameters[p].symbol] = graph_.parameters[p];
@@ -217,99 +197,10 @@ class Builder {
   }
 
   static NodeId determinant_of_point(Builder& builder, int g) {
-    return builder.determinant_of(builder.jacobian_at(g));
+    return determinant_of(builder.graph_.dag, builder.jacobian_at(g));
   }
 
-  NodeMatrix jacobian_at(int g) {
-    if (geometry_ == Geometry::general) return gradients_.of(graph_.dag, graph_.positions, g);
-    const int dim = element_.dim;
-    NodeMatrix jacobian(dim, std::vector<NodeId>(dim, graph_.dag.number(NumberPool::zero)));
-    for (int k = 0; k < dim; ++k) {
-      for (int i = 0; i < dim; ++i) {
-        if (geometry_ == Geometry::affine || i == k) jacobian[i][k] = slope_along_edge(i, k);
-      }
-    }
-    return jacobian;
-  }
-
-  /// Where the map is affine, d X_i / d xi_k everywhere: by the edge from node 0 along xi_k, its
-  /// component over the reference length. A box's Jacobian is diagonal.
-  NodeId slope_along_edge(int i, int k) {
-    Dag& dag = graph_.dag;
-    for (int b = 1; b < element_.num_nodes(); ++b) {
-      bool is_edge = true;
-      for (int j = 0; j < element_.dim; ++j) {
-        const bool differs = !(element_.nodes[b][j] - element_.nodes[0][j]).is_zero();
-        if (differs != (j == k)) is_edge = false;
-      }
-      if (!is_edge) continue;
-      const ExactNumber length = exact_value(element_.nodes[b][k] - element_.nodes[0][k], {});
-      const int dim = element_.dim;
-      return dag.scale(dag.numbers().intern(length.inverse()),
-                       dag.subtract(graph_.positions[b * dim + i], graph_.positions[i]));
-    }
-    throw InternalError("element " + element_.name + " has no edge along each coordinate");
-  }
-
-  NodeId minor_of(const NodeMatrix& m, int row, int column) {
-    Dag& dag = graph_.dag;
-    if (m.size() == 1) return dag.number(NumberPool::one);
-    if (m.size() == 2) return m[1 - row][1 - column];
-    // cyclic indices carry the sign of the cofactor
-    const int r1 = (row + 1) % 3, r2 = (row + 2) % 3;
-    const int c1 = (column + 1) % 3, c2 = (column + 2) % 3;
-    return dag.subtract(dag.multiply(m[r1][c1], m[r2][c2]), dag.multiply(m[r1][c2], m[r2][c1]));
-  }
-
-  NodeId cofactor_of(const NodeMatrix& m, int row, int column) {
-    const NodeId minor = minor_of(m, row, column);
-    const bool negative = m.size() == 2 && (row + column) % 2 == 1;
-    return negative ? graph_.dag.scale(NumberPool::minus_one, minor) : minor;
-  }
-
-  NodeId determinant_of(const NodeMatrix& m) {
-    std::vector<Operand> terms;
-    for (std::size_t j = 0; j < m.size(); ++j) {
-      terms.push_back(
-          {graph_.dag.multiply(m[0][j], cofactor_of(m, 0, static_cast<int>(j))), NumberPool::one});
-    }
-    return graph_.dag.sum(std::move(terms));
-  }
-
-  NodeMatrix inverse_of(const NodeMatrix& m) {
-    Dag& dag = graph_.dag;
-    NodeMatrix inverse(m.size(), std::vector<NodeId>(m.size()));
-    if (geometry_ == Geometry::box) {
-      for (std::size_t i = 0; i < m.size(); ++i) {
-        for (std::size_t j = 0; j < m.size(); ++j) {
-          inverse[i][j] = i == j ? dag.inverse(m[i][i]) : dag.number(NumberPool::zero);
-        }
-      }
-      return inverse;
-    }
-    const NodeId reciprocal = dag.inverse(determinant_of(m));
-    for (std::size_t i = 0; i < m.size(); ++i) {
-      for (std::size_t j = 0; j < m.size(); ++j) {
-        inverse[i][j] =
-            dag.multiply(reciprocal, cofactor_of(m, static_cast<int>(j), static_cast<int>(i)));
-      }
-    }
-    return inverse;
-  }
-
-  NodeMatrix matrix_product(const NodeMatrix& a, const NodeMatrix& b) {
-    NodeMatrix result(a.size(), std::vector<NodeId>(b[0].size()));
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      for (std::size_t j = 0; j < b[0].size(); ++j) {
-        std::vector<Operand> terms;
-        for (std::size_t k = 0; k < b.size(); ++k) {
-          terms.push_back({graph_.dag.multiply(a[i][k], b[k][j]), NumberPool::one});
-        }
-        result[i][j] = graph_.dag.sum(std::move(terms));
-      }
-    }
-    return result;
-  }
+  NodeMatrix jacobian_at(int g) { return shape_.jacobian(graph_.dag, graph_.positions, g); }
 
   /// weight * determinant * density, the determinant joining the parameters of each summand: they
   /// make one grouped constant.
@@ -338,30 +229,11 @@ class Builder {
   const Element& element_;
   const Quadrature& quadrature_;
   Geometry geometry_;
-  ReferenceGradients gradients_;
+  RestShape shape_;
   ElementGraph graph_;
 };
 
 }  // namespace
-
-std::string geometry_name(Geometry geometry) {
-  switch (geometry) {
-    case Geometry::general:
-      return "general";
-    case Geometry::affine:
-      return "affine";
-    case Geometry::box:
-      return "box";
-  }
-  throw InternalError("unknown geometry");
-}
-
-std::vector<Geometry> geometries_of(const Element& element) {
-  std::vector<Geometry> geometries{Geometry::general};
-  if (element.has_affine) geometries.push_back(Geometry::affine);
-  if (element.has_box) geometries.push_back(Geometry::box);
-  return geometries;
-}
 
 ElementGraph build_element_graph(const Law& law, const EnergyDensity& energy,
                                  const Element& element, const Quadrature& quadrature,

@@ -10,17 +10,10 @@
 #include "symgen/mechanics/derivation.h"
 #include "symgen/mechanics/energy.h"
 #include "symgen/mechanics/ginac_derivatives.h"
+#include "symgen/mechanics/rest_shape.h"
 #include "symgen/quadrature/quadrature.h"
 
 namespace elastogen::symgen {
-
-/// What is known of an element's rest shape: any; an affine image of the reference shape; or an
-/// axis-aligned rectangular box.
-enum class Geometry { general, affine, box };
-[[nodiscard]] std::string geometry_name(Geometry geometry);
-
-/// The variants that an element has, `general` first.
-[[nodiscard]] std::vector<Geometry> geometries_of(const Element& element);
 
 /// Energies of one element. With N nodes and d dimensions, node a and component i stand at a*d+i.
 struct ElementGraph {

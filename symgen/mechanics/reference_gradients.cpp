@@ -106,6 +106,17 @@ std::string flux_name(std::size_t point, std::size_t entry) {
   return fmt::format("F{}.{}", point, entry);
 }
 
+std::vector<NodeId> nodal_inputs(Dag& dag, const std::string& field, const Element& element,
+                                 Stage stage) {
+  std::vector<NodeId> inputs;
+  for (int a = 0; a < element.num_nodes(); ++a) {
+    for (int i = 0; i < element.dim; ++i) {
+      inputs.push_back(dag.symbol(nodal_name(field, a, i), stage));
+    }
+  }
+  return inputs;
+}
+
 NodeMatrix gradient_inputs(Dag& dag, const std::string& field, int dim, Stage stage) {
   NodeMatrix inputs(dim, std::vector<NodeId>(dim));
   for (int i = 0; i < dim; ++i) {

@@ -7,11 +7,10 @@
 #include "symgen/dag/dag.h"
 #include "symgen/element/element.h"
 #include "symgen/mechanics/ginac_derivatives.h"
+#include "symgen/mechanics/node_matrix.h"
 #include "symgen/quadrature/quadrature.h"
 
 namespace elastogen::symgen {
-
-using NodeMatrix = std::vector<std::vector<NodeId>>;
 
 /// "U3.x": component i of a field at a node.
 [[nodiscard]] std::string nodal_name(const std::string& field, int node, int i);
@@ -20,6 +19,10 @@ using NodeMatrix = std::vector<std::vector<NodeId>>;
 
 /// "F2.5": entry of the flux at a point, an input of the integration.
 [[nodiscard]] std::string flux_name(std::size_t point, std::size_t entry);
+
+/// Inputs field_ai, as [a * dim + i].
+[[nodiscard]] std::vector<NodeId> nodal_inputs(Dag& dag, const std::string& field,
+                                               const Element& element, Stage stage);
 
 /// Inputs d field_i / d xi_k, as [i][k].
 [[nodiscard]] NodeMatrix gradient_inputs(Dag& dag, const std::string& field, int dim, Stage stage);

@@ -38,7 +38,7 @@ TEST_P(Golden, GeneratedTextIsAsKept) {
   const GeneratedAssociation generated = generate_association(id, law, {});
   expect_golden(id.identifier() + ".h", without_hash(generated.header, generated.hash));
   expect_golden(id.identifier() + ".cl", without_hash(generated.opencl, generated.hash));
-  const Instantiation what{false, true, {"energy", "forces", "product"}};
+  const Instantiation what{false, true, {"energy", "forces", "product", "stress"}};
   expect_golden(id.identifier() + "_f64.cpp", registration_source(id, law, what));
 }
 

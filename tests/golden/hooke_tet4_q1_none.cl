@@ -19,6 +19,7 @@
 // general  product               125         10      0         176       96          1
 // general  linearize               0          0      0           0        0          1
 // general  apply                 125         10      0         176       96          1
+// general  stress                141          0      0         192      160          1
 //
 // One work item per element e. Arguments of the kernels and index formulas of their arrays:
 // opencl/prelude.cl. In functions, of one element: rest positions x, displacement u and
@@ -400,5 +401,105 @@ __kernel void hooke_tet4_q1_none_general_apply(ELASTOGEN_ELEMENT_ARGUMENTS) {
   general_apply(0, parameters, constants + e, 0, v, state + e, stride, out, &margin);
   scatter(4, 3, e, stride, node_stride, nodes, slots, out, output);
   report_status(margin, 12, out, e, status);
+}
+
+/// stress: 141 flops per element
+static void general_stress(const real *x, __constant real *p, __global const real *c, const real *u,
+    const real *v, __global const real *s, const size_t n, real *out, real *margin) {
+  const real t0 = u[0] - u[9];
+  const real t1 = x[2] - x[5];
+  const real t2 = x[1] - x[7];
+  const real t4 = x[1] - x[4];
+  const real t5 = x[2] - x[8];
+  const real t7 = t1 * t2 - t4 * t5;
+  const real t8 = x[2] - x[11];
+  const real t10 = x[1] - x[10];
+  const real t12 = t5 * t10 - t2 * t8;
+  const real t13 = x[0] - x[3];
+  const real t15 = x[0] - x[6];
+  const real t18 = t4 * t8 - t1 * t10;
+  const real t20 = x[0] - x[9];
+  const real t22 = t12 * t13 + t15 * t18 + t7 * t20;
+  const real t23 = R(1.0) / t22;
+  const real t24 = t7 * t23;
+  const real t26 = t12 * t23;
+  const real t27 = u[0] - u[3];
+  const real t29 = t18 * t23;
+  const real t30 = u[0] - u[6];
+  const real t32 = t0 * t24 + t26 * t27 + t29 * t30;
+  const real t35 = t8 * t15 - t5 * t20;
+  const real t36 = t23 * t35;
+  const real t40 = t5 * t13 - t1 * t15;
+  const real t41 = t23 * t40;
+  const real t45 = t1 * t20 - t8 * t13;
+  const real t46 = t23 * t45;
+  const real t48 = t27 * t36 + t0 * t41 + t30 * t46;
+  const real t51 = t2 * t20 - t10 * t15;
+  const real t52 = t23 * t51;
+  const real t56 = t4 * t15 - t2 * t13;
+  const real t57 = t23 * t56;
+  const real t61 = t10 * t13 - t4 * t20;
+  const real t62 = t23 * t61;
+  const real t64 = t27 * t52 + t0 * t57 + t30 * t62;
+  const real t65 = u[1] - u[10];
+  const real t67 = u[1] - u[7];
+  const real t69 = u[1] - u[4];
+  const real t71 = t24 * t65 + t29 * t67 + t26 * t69;
+  const real t75 = t41 * t65 + t46 * t67 + t36 * t69;
+  const real t79 = t62 * t67 + t57 * t65 + t52 * t69;
+  const real t80 = u[2] - u[8];
+  const real t82 = u[2] - u[5];
+  const real t84 = u[2] - u[11];
+  const real t86 = t29 * t80 + t26 * t82 + t24 * t84;
+  const real t90 = t46 * t80 + t41 * t84 + t36 * t82;
+  const real t94 = t52 * t82 + t57 * t84 + t62 * t80;
+  const real t95 = t32 + t75 + t94;
+  const real t96 = p[0] * t95;
+  const real t98 = t96 + R(2.0) * p[1] * t32;
+  const real t99 = t48 + t71;
+  const real t100 = p[1] * t99;
+  const real t101 = t64 + t86;
+  const real t102 = p[1] * t101;
+  const real t104 = t96 + R(2.0) * p[1] * t75;
+  const real t105 = t79 + t90;
+  const real t106 = p[1] * t105;
+  const real t108 = t96 + R(2.0) * p[1] * t94;
+  const real t115 = t99 * t99 + t101 * t101 + t105 * t105 + R(2.0) * (t94 * t94 + t75 * t75 + t32 *
+      t32);
+  const real t118 = p[1] * t115 + p[0] * t95 * t95;
+  out[0] = t32;
+  out[1] = t48;
+  out[2] = t64;
+  out[3] = t71;
+  out[4] = t75;
+  out[5] = t79;
+  out[6] = t86;
+  out[7] = t90;
+  out[8] = t94;
+  out[9] = t98;
+  out[10] = t100;
+  out[11] = t102;
+  out[12] = t100;
+  out[13] = t104;
+  out[14] = t106;
+  out[15] = t102;
+  out[16] = t106;
+  out[17] = t108;
+  out[18] = R(0.5) * t118;
+  out[19] = R(0.16666666666666666) * t22;
+}
+
+__kernel void hooke_tet4_q1_none_general_stress(ELASTOGEN_ELEMENT_ARGUMENTS) {
+  const size_t e = get_global_id(0);
+  if (e >= num_elements) return;
+  real x[12];
+  gather(4, 3, e, stride, nodes, positions, x);
+  real u[12];
+  gather(4, 3, e, stride, nodes, displacement, u);
+  real out[20];
+  real margin = 1;
+  general_stress(x, parameters, 0, u, 0, 0, stride, out, &margin);
+  store_rows(20, e, stride, out, output);
+  report_status(margin, 20, out, e, status);
 }
 

@@ -19,6 +19,7 @@
 // general  product               125         10      0         176       96          1
 // general  linearize               0          0      0           0        0          1
 // general  apply                 125         10      0         176       96          1
+// general  stress                141          0      0         192      160          1
 // general  stiffness            1500          0      0           0     1152          1
 #pragma once
 
@@ -361,6 +362,96 @@ inline void apply([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]]
 }
 
 using apply_steps = kernel::NoSteps;
+
+/// stress: 141 flops per element
+template <class V>
+inline void stress([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
+    [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  const V t0 = u[0] - u[9];
+  const V t1 = x[2] - x[5];
+  const V t2 = x[1] - x[7];
+  const V t4 = x[1] - x[4];
+  const V t5 = x[2] - x[8];
+  const V t7 = t1 * t2 - t4 * t5;
+  const V t8 = x[2] - x[11];
+  const V t10 = x[1] - x[10];
+  const V t12 = t5 * t10 - t2 * t8;
+  const V t13 = x[0] - x[3];
+  const V t15 = x[0] - x[6];
+  const V t18 = t4 * t8 - t1 * t10;
+  const V t20 = x[0] - x[9];
+  const V t22 = t12 * t13 + t15 * t18 + t7 * t20;
+  const V t23 = S(1) / t22;
+  const V t24 = t7 * t23;
+  const V t26 = t12 * t23;
+  const V t27 = u[0] - u[3];
+  const V t29 = t18 * t23;
+  const V t30 = u[0] - u[6];
+  const V t32 = t0 * t24 + t26 * t27 + t29 * t30;
+  const V t35 = t8 * t15 - t5 * t20;
+  const V t36 = t23 * t35;
+  const V t40 = t5 * t13 - t1 * t15;
+  const V t41 = t23 * t40;
+  const V t45 = t1 * t20 - t8 * t13;
+  const V t46 = t23 * t45;
+  const V t48 = t27 * t36 + t0 * t41 + t30 * t46;
+  const V t51 = t2 * t20 - t10 * t15;
+  const V t52 = t23 * t51;
+  const V t56 = t4 * t15 - t2 * t13;
+  const V t57 = t23 * t56;
+  const V t61 = t10 * t13 - t4 * t20;
+  const V t62 = t23 * t61;
+  const V t64 = t27 * t52 + t0 * t57 + t30 * t62;
+  const V t65 = u[1] - u[10];
+  const V t67 = u[1] - u[7];
+  const V t69 = u[1] - u[4];
+  const V t71 = t24 * t65 + t29 * t67 + t26 * t69;
+  const V t75 = t41 * t65 + t46 * t67 + t36 * t69;
+  const V t79 = t62 * t67 + t57 * t65 + t52 * t69;
+  const V t80 = u[2] - u[8];
+  const V t82 = u[2] - u[5];
+  const V t84 = u[2] - u[11];
+  const V t86 = t29 * t80 + t26 * t82 + t24 * t84;
+  const V t90 = t46 * t80 + t41 * t84 + t36 * t82;
+  const V t94 = t52 * t82 + t57 * t84 + t62 * t80;
+  const V t95 = t32 + t75 + t94;
+  const V t96 = p[0] * t95;
+  const V t98 = t96 + S(2) * p[1] * t32;
+  const V t99 = t48 + t71;
+  const V t100 = p[1] * t99;
+  const V t101 = t64 + t86;
+  const V t102 = p[1] * t101;
+  const V t104 = t96 + S(2) * p[1] * t75;
+  const V t105 = t79 + t90;
+  const V t106 = p[1] * t105;
+  const V t108 = t96 + S(2) * p[1] * t94;
+  const V t115 = t99 * t99 + t101 * t101 + t105 * t105 + S(2) * (t94 * t94 + t75 * t75 + t32 * t32);
+  const V t118 = p[1] * t115 + p[0] * t95 * t95;
+  out[0] = t32;
+  out[1] = t48;
+  out[2] = t64;
+  out[3] = t71;
+  out[4] = t75;
+  out[5] = t79;
+  out[6] = t86;
+  out[7] = t90;
+  out[8] = t94;
+  out[9] = t98;
+  out[10] = t100;
+  out[11] = t102;
+  out[12] = t100;
+  out[13] = t104;
+  out[14] = t106;
+  out[15] = t102;
+  out[16] = t106;
+  out[17] = t108;
+  out[18] = S(0.5) * t118;
+  out[19] = S(0.16666666666666666) * t22;
+}
+
+using stress_steps = kernel::NoSteps;
 
 /// stiffness: linearize once, apply along every unit direction; K = -product
 template <class V>

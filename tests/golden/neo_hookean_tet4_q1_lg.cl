@@ -20,6 +20,7 @@
 // general  product               772         10      0         272       96          2
 // general  linearize             185          9     18         168      144          2
 // general  apply                 611         10     18         320       96          2
+// general  stress                265          0      0         192      160          1
 //
 // One work item per element e. Arguments of the kernels and index formulas of their arrays:
 // opencl/prelude.cl. In functions, of one element: rest positions x, displacement u and
@@ -1244,5 +1245,149 @@ __kernel void neo_hookean_tet4_q1_lg_general_apply(ELASTOGEN_ELEMENT_ARGUMENTS) 
   general_apply(0, parameters, constants + e, 0, v, state + e, stride, out, &margin);
   scatter(4, 3, e, stride, node_stride, nodes, slots, out, output);
   report_status(margin, 12, out, e, status);
+}
+
+/// stress: 265 flops per element
+static void general_stress(const real *x, __constant real *p, __global const real *c, const real *u,
+    const real *v, __global const real *s, const size_t n, real *out, real *margin) {
+  const real t0 = u[0] - u[9];
+  const real t1 = x[2] - x[5];
+  const real t2 = x[1] - x[7];
+  const real t4 = x[1] - x[4];
+  const real t5 = x[2] - x[8];
+  const real t7 = t1 * t2 - t4 * t5;
+  const real t8 = x[2] - x[11];
+  const real t10 = x[1] - x[10];
+  const real t12 = t5 * t10 - t2 * t8;
+  const real t13 = x[0] - x[3];
+  const real t15 = x[0] - x[6];
+  const real t18 = t4 * t8 - t1 * t10;
+  const real t20 = x[0] - x[9];
+  const real t22 = t12 * t13 + t15 * t18 + t7 * t20;
+  const real t23 = R(1.0) / t22;
+  const real t24 = t7 * t23;
+  const real t26 = t12 * t23;
+  const real t27 = u[0] - u[3];
+  const real t29 = t18 * t23;
+  const real t30 = u[0] - u[6];
+  const real t32 = t0 * t24 + t26 * t27 + t29 * t30;
+  const real t35 = t8 * t15 - t5 * t20;
+  const real t36 = t23 * t35;
+  const real t40 = t5 * t13 - t1 * t15;
+  const real t41 = t23 * t40;
+  const real t45 = t1 * t20 - t8 * t13;
+  const real t46 = t23 * t45;
+  const real t48 = t27 * t36 + t0 * t41 + t30 * t46;
+  const real t51 = t2 * t20 - t10 * t15;
+  const real t52 = t23 * t51;
+  const real t56 = t4 * t15 - t2 * t13;
+  const real t57 = t23 * t56;
+  const real t61 = t10 * t13 - t4 * t20;
+  const real t62 = t23 * t61;
+  const real t64 = t27 * t52 + t0 * t57 + t30 * t62;
+  const real t65 = u[1] - u[10];
+  const real t67 = u[1] - u[7];
+  const real t69 = u[1] - u[4];
+  const real t71 = t24 * t65 + t29 * t67 + t26 * t69;
+  const real t75 = t41 * t65 + t46 * t67 + t36 * t69;
+  const real t79 = t62 * t67 + t57 * t65 + t52 * t69;
+  const real t80 = u[2] - u[8];
+  const real t82 = u[2] - u[5];
+  const real t84 = u[2] - u[11];
+  const real t86 = t29 * t80 + t26 * t82 + t24 * t84;
+  const real t90 = t46 * t80 + t41 * t84 + t36 * t82;
+  const real t94 = t52 * t82 + t57 * t84 + t62 * t80;
+  const real t97 = t71 * t94 - t79 * t86;
+  const real t98 = t71 + t97;
+  const real t100 = t75 + t94;
+  const real t103 = t75 * t94 - t79 * t90;
+  const real t104 = t100 + t103;
+  const real t108 = t71 * t90 - t75 * t86;
+  const real t109 = t86 - t108;
+  const real t111 = t103 + t32 * t104 - t48 * t98 - t64 * t109;
+  const real t112 = t32 + t100;
+  const real t113 = t111 + t112;
+  const real t114 = t113 + R(1.0);
+  const real t115 = R(1.0) / t114;
+  const real t116 = log1p(t113);
+  const real t119 = p[0] * t115 * t116 + p[1] * t113 * t115;
+  const real t120 = p[1] - t119;
+  const real t123 = t119 + p[1] * t32 - t104 * t120;
+  const real t126 = t98 * t120 + p[1] * t48;
+  const real t129 = p[1] * t64 + t109 * t120;
+  const real t131 = t94 + R(1.0);
+  const real t133 = t64 * t90 - t48 * t131;
+  const real t136 = p[1] * t71 - t120 * t133;
+  const real t138 = t32 + R(1.0);
+  const real t141 = t32 + t94 * t138 - t64 * t86;
+  const real t143 = t119 + p[1] * t75 - t120 * t141;
+  const real t147 = t90 * t138 - t48 * t86;
+  const real t149 = p[1] * t79 + t120 * t147;
+  const real t150 = t75 + R(1.0);
+  const real t153 = t48 * t79 - t64 * t150;
+  const real t156 = p[1] * t86 - t120 * t153;
+  const real t159 = t79 * t138 - t64 * t71;
+  const real t162 = t120 * t159 + p[1] * t90;
+  const real t166 = t32 + t75 * t138 - t48 * t71;
+  const real t168 = t119 + p[1] * t94 - t120 * t166;
+  const real t169 = log1p_remainder(t113);
+  const real t170 = negative_part(t114);
+  const real t171 = t113 + R(2.0) * t170;
+  const real t172 = t171 + R(2.0);
+  const real t173 = R(1.0) / t172;
+  const real t177 = t86 * t90 + t71 * t150 + t48 * t138;
+  const real t180 = t94 + R(2.0);
+  const real t182 = t79 * t79 + t64 * t64 + t94 * t180;
+  const real t187 = t86 * t131 + t71 * t79 + t64 * t138;
+  const real t191 = t48 * t64 + t79 * t150 + t90 * t131;
+  const real t193 = t177 * t182 - t187 * t191;
+  const real t197 = t75 + R(2.0);
+  const real t200 = t90 * t90 + t75 * t197 + t48 * t48;
+  const real t202 = t177 * t191 - t187 * t200;
+  const real t206 = t32 + R(2.0);
+  const real t208 = t86 * t86 + t71 * t71 + t32 * t206;
+  const real t209 = t182 + t200;
+  const real t210 = t208 + t209;
+  const real t217 = t182 * t200 - t191 * t191;
+  const real t218 = t187 * t187 + t177 * t177 - t208 * t209 - t217;
+  const real t220 = t177 * t193 + t218 - t187 * t202 - t208 * t217 + R(0.5) * t171 * t210;
+  const real t222 = t170 + R(0.5) * t173 * t220;
+  const real t223 = t222 + R(0.5) * t169;
+  const real t226 = p[0] * t116 * t116 + R(4.0) * p[1] * t223;
+  out[0] = t32;
+  out[1] = t48;
+  out[2] = t64;
+  out[3] = t71;
+  out[4] = t75;
+  out[5] = t79;
+  out[6] = t86;
+  out[7] = t90;
+  out[8] = t94;
+  out[9] = t123;
+  out[10] = t126;
+  out[11] = t129;
+  out[12] = t136;
+  out[13] = t143;
+  out[14] = t149;
+  out[15] = t156;
+  out[16] = t162;
+  out[17] = t168;
+  out[18] = R(0.5) * t226;
+  out[19] = R(0.16666666666666666) * t22;
+  keep_smaller(margin, t114);
+}
+
+__kernel void neo_hookean_tet4_q1_lg_general_stress(ELASTOGEN_ELEMENT_ARGUMENTS) {
+  const size_t e = get_global_id(0);
+  if (e >= num_elements) return;
+  real x[12];
+  gather(4, 3, e, stride, nodes, positions, x);
+  real u[12];
+  gather(4, 3, e, stride, nodes, displacement, u);
+  real out[20];
+  real margin = 1;
+  general_stress(x, parameters, 0, u, 0, 0, stride, out, &margin);
+  store_rows(20, e, stride, out, output);
+  report_status(margin, 20, out, e, status);
 }
 

@@ -20,6 +20,7 @@
 // general  product               772         10      0         272       96          2
 // general  linearize             185          9     18         168      144          2
 // general  apply                 611         10     18         320       96          2
+// general  stress                265          0      0         192      160          1
 // general  stiffness            7517          9     18         168     1152          2
 #pragma once
 
@@ -1225,6 +1226,141 @@ inline void apply([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]]
 }
 
 using apply_steps = kernel::NoSteps;
+
+/// stress: 265 flops per element
+template <class V>
+inline void stress([[maybe_unused]] const kernel::Inputs<V>& in, [[maybe_unused]] V* out,
+    [[maybe_unused]] V& margin) {
+  using S [[maybe_unused]] = kernel::Scalar<V>;
+  [[maybe_unused]] const auto& [x, p, c, u, v, s] = in;
+  const V t0 = u[0] - u[9];
+  const V t1 = x[2] - x[5];
+  const V t2 = x[1] - x[7];
+  const V t4 = x[1] - x[4];
+  const V t5 = x[2] - x[8];
+  const V t7 = t1 * t2 - t4 * t5;
+  const V t8 = x[2] - x[11];
+  const V t10 = x[1] - x[10];
+  const V t12 = t5 * t10 - t2 * t8;
+  const V t13 = x[0] - x[3];
+  const V t15 = x[0] - x[6];
+  const V t18 = t4 * t8 - t1 * t10;
+  const V t20 = x[0] - x[9];
+  const V t22 = t12 * t13 + t15 * t18 + t7 * t20;
+  const V t23 = S(1) / t22;
+  const V t24 = t7 * t23;
+  const V t26 = t12 * t23;
+  const V t27 = u[0] - u[3];
+  const V t29 = t18 * t23;
+  const V t30 = u[0] - u[6];
+  const V t32 = t0 * t24 + t26 * t27 + t29 * t30;
+  const V t35 = t8 * t15 - t5 * t20;
+  const V t36 = t23 * t35;
+  const V t40 = t5 * t13 - t1 * t15;
+  const V t41 = t23 * t40;
+  const V t45 = t1 * t20 - t8 * t13;
+  const V t46 = t23 * t45;
+  const V t48 = t27 * t36 + t0 * t41 + t30 * t46;
+  const V t51 = t2 * t20 - t10 * t15;
+  const V t52 = t23 * t51;
+  const V t56 = t4 * t15 - t2 * t13;
+  const V t57 = t23 * t56;
+  const V t61 = t10 * t13 - t4 * t20;
+  const V t62 = t23 * t61;
+  const V t64 = t27 * t52 + t0 * t57 + t30 * t62;
+  const V t65 = u[1] - u[10];
+  const V t67 = u[1] - u[7];
+  const V t69 = u[1] - u[4];
+  const V t71 = t24 * t65 + t29 * t67 + t26 * t69;
+  const V t75 = t41 * t65 + t46 * t67 + t36 * t69;
+  const V t79 = t62 * t67 + t57 * t65 + t52 * t69;
+  const V t80 = u[2] - u[8];
+  const V t82 = u[2] - u[5];
+  const V t84 = u[2] - u[11];
+  const V t86 = t29 * t80 + t26 * t82 + t24 * t84;
+  const V t90 = t46 * t80 + t41 * t84 + t36 * t82;
+  const V t94 = t52 * t82 + t57 * t84 + t62 * t80;
+  const V t97 = t71 * t94 - t79 * t86;
+  const V t98 = t71 + t97;
+  const V t100 = t75 + t94;
+  const V t103 = t75 * t94 - t79 * t90;
+  const V t104 = t100 + t103;
+  const V t108 = t71 * t90 - t75 * t86;
+  const V t109 = t86 - t108;
+  const V t111 = t103 + t32 * t104 - t48 * t98 - t64 * t109;
+  const V t112 = t32 + t100;
+  const V t113 = t111 + t112;
+  const V t114 = t113 + S(1);
+  const V t115 = S(1) / t114;
+  const V t116 = kernel::log1p(t113);
+  const V t119 = p[0] * t115 * t116 + p[1] * t113 * t115;
+  const V t120 = p[1] - t119;
+  const V t123 = t119 + p[1] * t32 - t104 * t120;
+  const V t126 = t98 * t120 + p[1] * t48;
+  const V t129 = p[1] * t64 + t109 * t120;
+  const V t131 = t94 + S(1);
+  const V t133 = t64 * t90 - t48 * t131;
+  const V t136 = p[1] * t71 - t120 * t133;
+  const V t138 = t32 + S(1);
+  const V t141 = t32 + t94 * t138 - t64 * t86;
+  const V t143 = t119 + p[1] * t75 - t120 * t141;
+  const V t147 = t90 * t138 - t48 * t86;
+  const V t149 = p[1] * t79 + t120 * t147;
+  const V t150 = t75 + S(1);
+  const V t153 = t48 * t79 - t64 * t150;
+  const V t156 = p[1] * t86 - t120 * t153;
+  const V t159 = t79 * t138 - t64 * t71;
+  const V t162 = t120 * t159 + p[1] * t90;
+  const V t166 = t32 + t75 * t138 - t48 * t71;
+  const V t168 = t119 + p[1] * t94 - t120 * t166;
+  const V t169 = kernel::log1p_remainder(t113);
+  const V t170 = kernel::negative_part(t114);
+  const V t171 = t113 + S(2) * t170;
+  const V t172 = t171 + S(2);
+  const V t173 = S(1) / t172;
+  const V t177 = t86 * t90 + t71 * t150 + t48 * t138;
+  const V t180 = t94 + S(2);
+  const V t182 = t79 * t79 + t64 * t64 + t94 * t180;
+  const V t187 = t86 * t131 + t71 * t79 + t64 * t138;
+  const V t191 = t48 * t64 + t79 * t150 + t90 * t131;
+  const V t193 = t177 * t182 - t187 * t191;
+  const V t197 = t75 + S(2);
+  const V t200 = t90 * t90 + t75 * t197 + t48 * t48;
+  const V t202 = t177 * t191 - t187 * t200;
+  const V t206 = t32 + S(2);
+  const V t208 = t86 * t86 + t71 * t71 + t32 * t206;
+  const V t209 = t182 + t200;
+  const V t210 = t208 + t209;
+  const V t217 = t182 * t200 - t191 * t191;
+  const V t218 = t187 * t187 + t177 * t177 - t208 * t209 - t217;
+  const V t220 = t177 * t193 + t218 - t187 * t202 - t208 * t217 + S(0.5) * t171 * t210;
+  const V t222 = t170 + S(0.5) * t173 * t220;
+  const V t223 = t222 + S(0.5) * t169;
+  const V t226 = p[0] * t116 * t116 + S(4) * p[1] * t223;
+  out[0] = t32;
+  out[1] = t48;
+  out[2] = t64;
+  out[3] = t71;
+  out[4] = t75;
+  out[5] = t79;
+  out[6] = t86;
+  out[7] = t90;
+  out[8] = t94;
+  out[9] = t123;
+  out[10] = t126;
+  out[11] = t129;
+  out[12] = t136;
+  out[13] = t143;
+  out[14] = t149;
+  out[15] = t156;
+  out[16] = t162;
+  out[17] = t168;
+  out[18] = S(0.5) * t226;
+  out[19] = S(0.16666666666666666) * t22;
+  kernel::keep_smaller<V>(margin, t114);
+}
+
+using stress_steps = kernel::NoSteps;
 
 /// stiffness: linearize once, apply along every unit direction; K = -product
 template <class V>
