@@ -63,9 +63,9 @@ TEST(NodalRecovery, LeavesLinearFieldsAsTheyAreOnDistortedMeshes) {
         project ? recovery.project(points, 2) : recovery.average(points, 2);
     const std::vector<double> nodes = recovery.joined(slots, 2);
     for (std::size_t n = 0; n < body.mesh.num_nodes(); ++n) {
-      // The projection's system is solved to 1e-12 of its right side.
-      EXPECT_NEAR(nodes[2 * n], linear(position(body.mesh.positions, n)), 2e-11) << project;
-      EXPECT_NEAR(nodes[2 * n + 1], 4, 1e-11) << project;
+      // The projection's system is solved to 1e-12 of its right side; M's condition is about 100.
+      EXPECT_NEAR(nodes[2 * n], linear(position(body.mesh.positions, n)), 1e-9) << project;
+      EXPECT_NEAR(nodes[2 * n + 1], 4, 4e-10) << project;
     }
   }
 }
@@ -75,7 +75,7 @@ TEST(NodalRecovery, LeavesAConstantWhereElementsHaveOnePoint) {
   NodalRecovery recovery(body.mesh, one_part(body.mesh, body.table), std::vector<int>{0});
   const std::vector<double> points(body.mesh.num_elements(), 4.0);
   for (const double value : recovery.average(points, 1)) EXPECT_NEAR(value, 4, 1e-14);
-  for (const double value : recovery.project(points, 1)) EXPECT_NEAR(value, 4, 1e-11);
+  for (const double value : recovery.project(points, 1)) EXPECT_NEAR(value, 4, 4e-10);
 }
 
 // The projection's integral over the body is that of the points: its test functions sum up to 1.
@@ -107,7 +107,7 @@ TEST(NodalRecovery, DoesNotGoBeyondAZone) {
     for (std::size_t e = 0; e < body.mesh.num_elements(); ++e) {
       for (const std::int32_t slot : recovery.element_slots(e)) {
         EXPECT_NEAR(slots[static_cast<std::size_t>(slot)],
-                    e < body.mesh.num_elements() / 2 ? 1 : 100, 1e-9);
+                    e < body.mesh.num_elements() / 2 ? 1 : 100, 1e-8);
       }
     }
     std::size_t between = 0;

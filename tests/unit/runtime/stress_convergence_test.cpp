@@ -1,6 +1,6 @@
-// Stress of solved bodies against exact solutions of linear elasticity, whose error must fall with
-// the square of the cells' size: at the elements, and at the nodes by either way. The loads are so
-// small that the nonlinear law does not tell.
+// Stress of solved bodies against exact solutions of linear elasticity: how its error falls with
+// the cells' size, at the elements, and at the nodes by either way. The loads are so small that the
+// nonlinear law does not tell.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -103,20 +103,24 @@ Errors solve(const ExactBody& body, std::array<int, 3> cells) {
           tensor_of(components)};
 }
 
-void expect_second_order(const Errors& coarse, const Errors& fine) {
+/// Cells were halved. Means of elements come with the second order, as stress is best in the
+/// middle of linear elements (Barlow, Int. J. Numer. Methods Eng. 10 (1976) 243-251); nodes with
+/// the first, the order of stress elsewhere in these: on surfaces nothing makes up for it.
+void expect_order(const Errors& coarse, const Errors& fine) {
   for (const auto& [place, error] : fine.of) {
-    RecordProperty(place, std::to_string(error));
-    // 4 in the limit; nodes on the boundary fall behind on meshes as coarse as these.
-    EXPECT_GT(coarse.of.at(place) / error, 3) << place << ": " << error;
-    EXPECT_LT(error, 0.03) << place;
+    testing::Test::RecordProperty(place, std::to_string(error));
+    const bool of_elements = place == "elements";
+    EXPECT_GT(coarse.of.at(place) / error, of_elements ? 3.5 : 2) << place << ": " << error;
+    EXPECT_LT(error, of_elements ? 0.005 : 0.2) << place;
   }
+  EXPECT_LT(fine.of.at("projection"), fine.of.at("average"));
 }
 
 // A thick sphere under pressure from inside: u = A r + B / r^2 (Lame; Timoshenko & Goodier, Theory
 // of Elasticity, 3rd ed., section 142). A piece of it that moves as the whole does on its sides.
 TEST(StressConvergence, OfLamesSphere) {
-  constexpr double a = 1, b = 2, pressure = 1e-3;
-  constexpr double p = pressure * a * a * a / (b * b * b - a * a * a);
+  static constexpr double a = 1, b = 2, pressure = 1e-3;
+  static constexpr double p = pressure * a * a * a / (b * b * b - a * a * a);
   ExactBody body;
   body.shape = [](const Vector3& box) {
     return Vector3((a + (b - a) * box[2]) * Vector3(box[0] - 0.5, box[1] - 0.5, 1).normalized());
@@ -133,7 +137,7 @@ TEST(StressConvergence, OfLamesSphere) {
   body.held = [](const Vector3& box, int) {
     return box.minCoeff() < 1e-9 || box.maxCoeff() > 1 - 1e-9;
   };
-  expect_second_order(solve(body, {4, 4, 4}), solve(body, {8, 8, 8}));
+  expect_order(solve(body, {4, 4, 4}), solve(body, {8, 8, 8}));
 }
 
 // Kirsch's plate with a hole of radius 1, pulled along x, in plane strain: the quarter up to the
@@ -141,7 +145,7 @@ TEST(StressConvergence, OfLamesSphere) {
 // displacements: Szabo & Babuska, Finite Element Analysis, 1991, section 4.2). On the hole the
 // stress is three times that far away.
 TEST(StressConvergence, OfKirschsPlate) {
-  constexpr double far = 1e-3, kappa = 3 - 4 * poisson;
+  static constexpr double far = 1e-3, kappa = 3 - 4 * poisson;
   ExactBody body;
   body.shape = [](const Vector3& box) {
     const double r = std::pow(4.0, box[0]), angle = box[1] * std::numbers::pi / 2;
@@ -173,12 +177,11 @@ TEST(StressConvergence, OfKirschsPlate) {
     return component == 1 ? box[1] < 1e-9 : box[1] > 1 - 1e-9;
   };
   const Errors coarse = solve(body, {12, 12, 1}), fine = solve(body, {24, 24, 1});
-  expect_second_order(coarse, fine);
-  const double first = 3 - coarse.last_corner(0, 0) / far,
-               second = 3 - fine.last_corner(0, 0) / far;
-  RecordProperty("concentration", std::to_string(3 - second));
-  EXPECT_LT(std::abs(second), 0.05);
-  EXPECT_GT(std::abs(first / second), 3) << first << " -> " << second;
+  expect_order(coarse, fine);
+  const double concentration = fine.last_corner(0, 0) / far;
+  RecordProperty("concentration", std::to_string(concentration));
+  EXPECT_NEAR(concentration, 3, 0.1);
+  EXPECT_LT(std::abs(concentration - 3), std::abs(coarse.last_corner(0, 0) / far - 3));
 }
 
 }  // namespace

@@ -108,8 +108,9 @@ TEST(StressMeasures, StrainsAndInvariantsDoNotSeeRotations) {
 
 TEST(StressMeasures, PureRotationHasNoStrain) {
   const PointStress point{random_rotation(3) - Matrix::Identity(), Matrix::Zero(), 0, 1};
-  EXPECT_LT(logarithmic_strain(point, Kinematics::finite).norm(), 1e-15);
-  EXPECT_LT(green_lagrange_strain(point, Kinematics::finite).norm(), 1e-15);
+  // What rounding of the rotation's nine numbers makes.
+  EXPECT_LT(logarithmic_strain(point, Kinematics::finite).norm(), 4e-15);
+  EXPECT_LT(green_lagrange_strain(point, Kinematics::finite).norm(), 4e-15);
 }
 
 // All digits of strains that 1 + strain would lose: to second order ln U = sym H + ...
@@ -121,7 +122,7 @@ TEST(StressMeasures, KeepTheDigitsOfSmallStrains) {
     const Matrix expected = e - e * e;  // ln(1 + 2 e) / 2 = e - e^2 + ...
     EXPECT_LT((logarithmic_strain(point, Kinematics::finite) - expected).norm(),
               4 * (1e-15 + size * size) * size);
-    EXPECT_LT((expected - (h + h.transpose()) / 2).norm(), 20 * size * size);
+    EXPECT_LE((expected - (h + h.transpose()) / 2).norm(), 20 * size * size);
   }
 }
 
