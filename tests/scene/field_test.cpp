@@ -117,8 +117,9 @@ TEST_F(Fields, OfAThickSphereNearLamesSolution) {
   for (const std::string nodal : {"average", "projection"}) {
     const double coarse = error_with("[3, 4]", nodal), fine = error_with("[6, 8]", nodal);
     RecordProperty(nodal, std::to_string(fine));
-    EXPECT_LT(fine, 0.1) << nodal;
-    EXPECT_GT(coarse / fine, 2.5) << nodal << ": " << coarse << " -> " << fine;
+    // On a surface nodes of linear elements are of first order.
+    EXPECT_LT(fine, 0.3) << nodal;
+    EXPECT_GT(coarse / fine, 1.8) << nodal << ": " << coarse << " -> " << fine;
   }
 }
 
@@ -131,7 +132,7 @@ TEST_F(Fields, OfMotionsAreInTheSeriesAndTheHistory) {
       "[\"von_mises\", \"cauchy_stress\"]\nstress_at = [\"nodes\", \"points\"]\n"));
   ASSERT_EQ(result.exit_status, 0) << result.output;
   const std::string history = read_text_file(out() / "history.csv", "history");
-  EXPECT_NE(history.find("end_von_mises,"), std::string::npos) << history.substr(0, 300);
+  EXPECT_NE(history.find(",end_von_mises\n"), std::string::npos) << history.substr(0, 300);
   EXPECT_NE(history.find("end_cauchy_stress_XX,"), std::string::npos);
   for (const char* file :
        {"series.pvd", "points.pvd", "series/step_000000.vtu", "series/points_000000.vtu"}) {
