@@ -24,6 +24,31 @@ std::vector<std::size_t> batch_order(std::size_t num_elements, std::size_t lanes
   return order;
 }
 
+/// Finds which orders the nodes stand in, unless it is their own everywhere.
+template <class Scalar>
+void keep_node_orders(const ElementGroupSource<Scalar>& source,
+                      const std::vector<std::size_t>& order, ElementGroup<Scalar>& group) {
+  if (source.node_order.empty()) return;
+  const auto nodes = static_cast<std::size_t>(group.num_nodes);
+  std::vector<int> own(nodes);
+  std::iota(own.begin(), own.end(), 0);
+  for (const std::size_t k : order) {
+    const auto its = source.node_order.subspan(k * nodes, nodes);
+    auto known = std::find_if(group.node_orders.begin(), group.node_orders.end(),
+                              [&](const std::vector<int>& known_order) {
+                                return std::equal(its.begin(), its.end(), known_order.begin());
+                              });
+    if (known == group.node_orders.end()) {
+      known = group.node_orders.emplace(known, its.begin(), its.end());
+    }
+    group.turn.push_back(static_cast<std::uint8_t>(known - group.node_orders.begin()));
+  }
+  if (group.node_orders.size() == 1 && group.node_orders.front() == own) {
+    group.node_orders.clear();
+    group.turn.clear();
+  }
+}
+
 std::size_t num_shapes(const std::vector<std::int32_t>& shape) {
   return static_cast<std::size_t>(*std::max_element(shape.begin(), shape.end())) + 1;
 }
@@ -106,6 +131,7 @@ ElementGroup<Scalar> make_element_group(const Mesh& mesh,
   group.num_sets = group.shape.empty() ? group.num_batches : num_shapes(group.shape);
   group.elements.resize(order.size());
   group.dofs.resize(order.size() * nodes);
+  keep_node_orders(source, order, group);
   group.positions.resize(group.num_sets * lanes * nodes * dim);
   std::vector<bool> is_known(group.num_sets, false);
   for (std::size_t batch = 0; batch < group.num_batches; ++batch) {

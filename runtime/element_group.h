@@ -26,6 +26,9 @@ namespace elastogen {
 ///   lanes
 ///                                                     of the batch share (congruent_elements.h);
 ///                                                     empty: every batch has a set of its own
+///   turn       [batch * L + lane]                     which of node_orders the element's nodes
+///   stand
+///                                                     in; empty: all in their own
 ///   positions  [((set * n + a) * d + i) * L + lane]   of node a from node 0 of its element, which
 ///                                                     kernels cannot tell from the place itself;
 ///                                                     empty unless they read them
@@ -53,6 +56,10 @@ struct ElementGroup {
   std::vector<std::int32_t> elements;
   AlignedVector<std::int32_t> dofs;
   std::vector<std::int32_t> shape;
+  /// [order][a]: which node of an element stands at place a, of the orders that occur; at most the
+  /// 24 that a box can be turned to. Empty: every element has its own order.
+  std::vector<std::vector<int>> node_orders;
+  std::vector<std::uint8_t> turn;
   AlignedVector<Scalar> positions;
   AlignedVector<Scalar> constants;
   AlignedVector<Scalar> state;

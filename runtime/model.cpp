@@ -15,6 +15,7 @@
 #include "runtime/mesh_order.h"
 #include "runtime/model_parts.h"
 #include "runtime/rest_geometry.h"
+#include "runtime/stress_pass.h"
 
 namespace elastogen {
 namespace {
@@ -122,6 +123,8 @@ struct Model::Data {
   std::optional<ElementSystem<float>> in_single;   // unless double precision
   Eigen::SparseMatrix<double> stiffness;           // where has_stiffness()
   TangentForm form = TangentForm::exact;
+  std::vector<double> positions;         // of the mesh at rest: what stress() is given
+  std::vector<std::size_t> first_point;  // StressField::first
   std::vector<double> element_volumes, nodal_volumes, nodal_mass, lumped_mass;
   ElementStatus status;
 
@@ -191,14 +194,20 @@ Model::Model(const Mesh& mesh, std::span<const ModelPart> given_parts, const Mod
   d.dim = mesh.dim;
   d.num_nodes = mesh.num_nodes();
   d.num_elements = mesh.num_elements();
+  d.positions = mesh.positions;
   d.nodal_volumes.assign(d.num_nodes, 0.0);
   d.nodal_mass.assign(d.num_nodes, 0.0);
   d.lumped_mass.assign(d.num_nodes, 0.0);
   d.element_volumes.assign(d.num_elements, 0.0);
+  std::vector<std::int32_t> element_points(d.num_elements);
   for (const ElementGroup<double>& group : groups) {
     measure_rest_shapes(group, mesh,
                         {d.nodal_volumes, d.nodal_mass, d.lumped_mass, d.element_volumes});
+    for (const std::int32_t e : group.elements) {
+      element_points[static_cast<std::size_t>(e)] = group.table->num_points;
+    }
   }
+  d.first_point = first_points(element_points);
   if (options.precision != Precision::single_precision) {
     d.make_system(d.in_double, std::move(groups), !mixed);
   }
@@ -247,6 +256,15 @@ void Model::element_energies(const ConstVectorRef& u, std::vector<double>& energ
   energies.assign(d.num_elements, 0.0);
   d.status = d.with_forces(
       [&](auto& elements) { return elements.element_energies(u.data(), energies.data()); });
+}
+
+void Model::stress(const ConstVectorRef& u, StressField& field) {
+  Data& d = *data_;
+  d.check_length(u.size(), "the displacement");
+  field.first = d.first_point;
+  field.points.resize(d.first_point.back());
+  d.status = d.with_forces(
+      [&](auto& elements) { return compute_stress(elements, d.positions, u.data(), field); });
 }
 
 void Model::forces(const ConstVectorRef& u, VectorRef f) {

@@ -170,8 +170,9 @@ class Model {
   /// Overwritten; resized where needed.
   void diagonal_blocks(std::vector<double>& blocks);
 
-  /// Whether the last energy(), forces(), linearize(), product(), assemble(), diagonal_blocks() or
-  /// element_energies() found every element's result good; if not, the first bad element.
+  /// Whether the last energy(), forces(), linearize(), product(), assemble(), diagonal_blocks(),
+  /// element_energies() or stress() found every element's result good; if not, the first bad
+  /// element.
   [[nodiscard]] const ElementStatus& status() const;
 
   /// "element 17 (tet4, nodes 3 8 9 12): ..." for a status that is not good.
@@ -185,8 +186,10 @@ class Model {
   /// Energy of each element at u [J], in mesh order; resized where needed.
   void element_energies(const ConstVectorRef& u, std::vector<double>& energies);
 
-  /// Displacement gradient, stress, energy density and volume at every quadrature point at u; resized
-  /// where needed. Elements at rest (ModelOptions::held_nodes) are computed, too.
+  /// Displacement gradient, stress, energy density and volume at every quadrature point at u;
+  /// resized where needed. Elements at rest (ModelOptions::held_nodes) are computed, too. In double
+  /// unless the precision is single. Stresses of other kinds: stress_measures.h; at nodes:
+  /// nodal_recovery.h.
   /// @throws InternalError  kernels without the operation `stress`
   void stress(const ConstVectorRef& u, StressField& field);
 

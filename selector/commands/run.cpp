@@ -250,9 +250,9 @@ int run(const RunOptions& options, const Context& context) {
 
   // A run that is resumed takes its own number of threads, for equal results.
   const int usual_threads = start ? start->threads : scene.solver.threads;
+  const std::vector<ModelPart> parts = make_parts(problem, kernels.of_block);
   Model model = with_location(scene.file.string(), "mesh", [&] {
-    return make_model(scene, problem, kernels.of_block,
-                      context.threads > 0 ? context.threads : usual_threads);
+    return make_model(scene, problem, parts, context.threads > 0 ? context.threads : usual_threads);
   });
   summary.groups = model.groups();
   summary.tangent = model.tangent_product();
@@ -262,7 +262,9 @@ int run(const RunOptions& options, const Context& context) {
   model.let_sleep(true);
   const std::int64_t num_steps = summary.plan ? summary.plan->num_steps : scene.solver.load_steps;
   const double time_step = summary.plan ? summary.plan->options.step : 0;
-  Recorder recorder(scene, problem, model, summary.folder, intervals_of(scene.output, num_steps),
+  FieldEvaluator fields(scene, problem, model, parts);
+  Recorder recorder(scene, problem, model, fields, summary.folder,
+                    intervals_of(scene.output, num_steps),
                     run_fingerprint(scene, problem, kernels.of_block,
                                     make_load(scene, problem, model), time_step));
   remove_left_temporaries(summary.folder);
@@ -286,7 +288,7 @@ int run(const RunOptions& options, const Context& context) {
 
   BodyState end =
       make_steps(scene, problem, model, recorder, start ? &*start : nullptr, context, summary);
-  const SceneResults results = collect_results(scene, problem, model, std::move(end));
+  const SceneResults results = collect_results(scene, problem, model, fields, std::move(end));
   summary.times.solve = watch.lap();
   summary.skipped = model.skipped();
   summary.reordered = model.is_reordered();
@@ -295,7 +297,7 @@ int run(const RunOptions& options, const Context& context) {
   summary.problem = &problem;
   summary.results = &results;
   const std::size_t warned = summary.warnings.size();
-  write_results(summary, recorder);
+  write_results(summary, recorder, fields);
   for (std::size_t i = warned; i < summary.warnings.size(); ++i) warn(summary.warnings[i]);
   summary.times.output = watch.lap();
   const std::string json = summary_json(summary).dump(2) + "\n";

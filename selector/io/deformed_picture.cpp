@@ -16,6 +16,7 @@
 #include "selector/io/gnuplot.h"
 #include "selector/io/mesh_faces.h"
 #include "selector/io/projection.h"
+#include "selector/io/si_prefix.h"
 
 namespace elastogen::selector {
 namespace {
@@ -31,8 +32,8 @@ constexpr double margin_left = 60, margin_right = 150, margin_top = 95, margin_b
 /// A convex element as it is drawn.
 struct DrawnElement {
   const ElementTopology* topology = nullptr;
-  std::vector<Point> nodes;        // deformed and shrunk
-  std::vector<double> magnitudes;  // of the displacement, per node
+  std::vector<Point> nodes;    // deformed and shrunk
+  std::vector<double> values;  // per node
   double nearness = 0;
 };
 
@@ -57,24 +58,28 @@ std::vector<bool> nodes_on_surface(const Mesh& mesh) {
 }
 
 /// Elements near the surface, the farthest first.
+/// @param values  of each element's nodes
 std::vector<DrawnElement> drawn_elements(const Mesh& mesh, std::span<const double> displacement,
+                                         std::span<const double> values,
                                          const Projection& projection) {
   const std::vector<bool> on_surface = nodes_on_surface(mesh);
   std::vector<DrawnElement> elements;
   for (const ElementBlock& block : mesh.blocks) {
     for (std::size_t e = 0; e < block.num_elements(); ++e) {
       const auto nodes = block.element_nodes(e);
+      const auto its_values = values.first(nodes.size());
+      values = values.subspan(nodes.size());
       if (std::none_of(nodes.begin(), nodes.end(), [&](std::int32_t node) {
             return on_surface[static_cast<std::size_t>(node)];
           })) {
         continue;
       }
-      DrawnElement element{&element_topology(block.element), {}, {}, 0};
+      DrawnElement element{
+          &element_topology(block.element), {}, {its_values.begin(), its_values.end()}, 0};
       Point centre = Point::Zero();
       for (const std::int32_t node : nodes) {
         element.nodes.push_back(point_of(mesh.positions, mesh.dim, node) +
                                 point_of(displacement, mesh.dim, node));
-        element.magnitudes.push_back(point_of(displacement, mesh.dim, node).norm());
         centre += element.nodes.back() / static_cast<double>(nodes.size());
       }
       for (Point& node : element.nodes) node = centre + element_shrink * (node - centre);
@@ -109,21 +114,50 @@ std::vector<std::vector<int>> polygons(const ElementTopology& topology) {
   return {all};
 }
 
+/// What colours stand for.
+struct ColourRange {
+  double low = 0, high = 1;
+
+  [[nodiscard]] Colour colour(double value) const {
+    if (!std::isfinite(value)) return {0.7, 0.7, 0.7};
+    return sequential_colour((value - low) / (high - low));
+  }
+};
+
+ColourRange range_of(const std::vector<DrawnElement>& elements, bool from_zero) {
+  ColourRange range{INFINITY, -INFINITY};
+  for (const DrawnElement& element : elements) {
+    for (const double value : element.values) {
+      if (!std::isfinite(value)) continue;
+      range.low = std::min(range.low, value);
+      range.high = std::max(range.high, value);
+    }
+  }
+  if (range.low > range.high) return {};
+  if (from_zero && range.low >= 0) range.low = 0;
+  // A body of one value: colours need a range around it.
+  if (range.high - range.low <= 1e-9 * std::max(std::abs(range.low), std::abs(range.high))) {
+    const double around = range.high == 0 ? 1 : 0.01 * std::abs(range.high);
+    range = {range.low - around, range.high + around};
+  }
+  return range;
+}
+
 /// The faces of an element that look at the eye: an edge-coloured polygon, and on it a smaller one
-/// filled by the mean displacement, darker the more the face turns away from the light.
-void append_faces(const DrawnElement& element, const Projection& projection, double largest,
-                  std::string& data) {
+/// filled by the mean value, darker the more the face turns away from the light.
+void append_faces(const DrawnElement& element, const Projection& projection,
+                  const ColourRange& range, std::string& data) {
   const Point light =
       (projection.to_eye + 0.8 * projection.up - 0.3 * projection.right).normalized();
   for (const std::vector<int>& face : polygons(*element.topology)) {
     std::vector<Eigen::Vector2d> corners;
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-    double magnitude = 0;
+    double value = 0;
     for (const int local : face) {
       const auto node = static_cast<std::size_t>(local);
       corners.push_back(projection(element.nodes[node]));
       middle += corners.back() / static_cast<double>(face.size());
-      magnitude += element.magnitudes[node] / static_cast<double>(face.size());
+      value += element.values[node] / static_cast<double>(face.size());
     }
     const auto at = [&](std::size_t i) { return element.nodes[static_cast<std::size_t>(face[i])]; };
     const Point normal = (at(1) - at(0)).cross(at(face.size() - 1) - at(0)).normalized();
@@ -132,9 +166,7 @@ void append_faces(const DrawnElement& element, const Projection& projection, dou
     const double brightness = 0.6 + 0.4 * std::max(0.0, normal.dot(light));
     append_polygon(corners, shaded(shape_colour(element.topology->element), brightness), data);
     for (Eigen::Vector2d& corner : corners) corner = middle + fill_shrink * (corner - middle);
-    append_polygon(corners,
-                   shaded(sequential_colour(largest > 0 ? magnitude / largest : 0), brightness),
-                   data);
+    append_polygon(corners, shaded(range.colour(value), brightness), data);
   }
 }
 
@@ -210,21 +242,30 @@ std::string legend_script(const Mesh& mesh) {
 
 }  // namespace
 
+PictureColours displacement_colours(const Mesh& mesh, std::span<const double> displacement) {
+  PictureColours colours{"displacement", "m", {}, true};
+  for (const ElementBlock& block : mesh.blocks) {
+    for (const std::int32_t node : block.nodes) {
+      colours.values.push_back(point_of(displacement, mesh.dim, node).norm());
+    }
+  }
+  return colours;
+}
+
 void draw_deformed(const std::filesystem::path& picture, const Mesh& mesh,
-                   std::span<const double> displacement, const std::string& title) {
+                   std::span<const double> displacement, const PictureColours& colours,
+                   const std::string& title) {
   const Projection projection =
       mesh.dim == 2
           ? Projection{Point::UnitX(), Point::UnitY(), Point::UnitZ()}
           : Projection::from_angles(28 * std::numbers::pi / 180, 20 * std::numbers::pi / 180);
   Box rest, whole;
-  double largest = 0;
   for (std::size_t i = 0; i < mesh.num_nodes(); ++i) {
     const auto node = static_cast<std::int32_t>(i);
     const Point at = point_of(mesh.positions, mesh.dim, node),
                 moved = point_of(displacement, mesh.dim, node);
     rest.extend(at);
     whole.extend(at).extend(at + moved);
-    largest = std::max(largest, moved.norm());
   }
   Eigen::AlignedBox2d frame;
   for (int corner = 0; corner < 8; ++corner) {
@@ -236,10 +277,11 @@ void draw_deformed(const std::filesystem::path& picture, const Mesh& mesh,
   const int height = static_cast<int>(
       std::clamp(frame.sizes()[1] * scale + margin_top + margin_bottom, 420.0, 1500.0));
 
+  const std::vector<DrawnElement> elements =
+      drawn_elements(mesh, displacement, colours.values, projection);
+  const ColourRange range = range_of(elements, colours.from_zero);
   std::string script = "$faces << END\n";
-  for (const DrawnElement& element : drawn_elements(mesh, displacement, projection)) {
-    append_faces(element, projection, largest, script);
-  }
+  for (const DrawnElement& element : elements) append_faces(element, projection, range, script);
   script += "END\n";
   script += axes_script(rest, mesh.dim, projection);
   const double right = 1 - margin_right / picture_width;
@@ -252,16 +294,22 @@ void draw_deformed(const std::filesystem::path& picture, const Mesh& mesh,
       gnuplot_quoted(title), 1 - 25.0 / height, margin_left / picture_width, right,
       1 - margin_top / height, margin_bottom / height, frame.min()[0], frame.max()[0],
       frame.min()[1], frame.max()[1]);
+  const SiPrefix prefix = colours.unit.empty()
+                              ? SiPrefix()
+                              : si_prefix(std::max(std::abs(range.low), std::abs(range.high)));
   script += fmt::format(
-      "set palette {}\nset cbrange [0:{:.6g}]\nset cbtics\n"
-      "set cblabel 'displacement [m]'\n"
+      "set palette {}\nset cbrange [{:.6g}:{:.6g}]\nset cbtics\n"
+      "set cblabel {}\n"
       "set colorbox user origin screen {:.5f}, screen 0.15 size screen 0.016, screen 0.65\n"
       "set key horizontal Left reverse center at screen 0.5, screen {:.5f} samplen 1.5\n"
       "set style fill solid 1 noborder\n"
       "plot $faces using 1:2:3 with filledcurves closed lc rgb variable notitle, "
       "NaN with points palette notitle{}\n",
-      sequential_palette(), largest > 0 ? largest : 1.0, right + 0.015, 1 - 62.0 / height,
-      legend_script(mesh));
+      sequential_palette(), prefix.factor * range.low, prefix.factor * range.high,
+      gnuplot_quoted(colours.unit.empty()
+                         ? colours.title
+                         : fmt::format("{} [{}{}]", colours.title, prefix.symbol, colours.unit)),
+      right + 0.015, 1 - 62.0 / height, legend_script(mesh));
   draw_png(picture, picture_width, height, script);
 }
 

@@ -56,6 +56,23 @@ vtkNew<vtkDoubleArray> double_array(const std::string& name, std::span<const dou
   return array;
 }
 
+void name_components(const std::vector<std::string>& names, vtkDoubleArray& array) {
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    array.SetComponentName(static_cast<vtkIdType>(c), names[c].c_str());
+  }
+}
+
+void add_node_fields(const std::vector<NodeField>& fields, int dim, std::size_t num_nodes,
+                     vtkUnstructuredGrid& grid) {
+  for (const NodeField& field : fields) {
+    const int given = field.components > 0 ? field.components : dim;
+    const vtkNew<vtkDoubleArray> array =
+        double_array(field.name, field.values, given, field.components > 0 ? given : 3, num_nodes);
+    name_components(field.component_names, *array);
+    grid.GetPointData()->AddArray(array);
+  }
+}
+
 void add_labels(const ElementLabels& labels, std::size_t num_elements, vtkUnstructuredGrid& grid) {
   if (labels.values.size() != num_elements) {
     throw InternalError(fmt::format("result field '{}' has {} numbers for {} elements", labels.name,
@@ -75,6 +92,26 @@ void add_labels(const ElementLabels& labels, std::size_t num_elements, vtkUnstru
   grid.GetFieldData()->AddArray(names);
 }
 
+void write_grid(const std::filesystem::path& file, vtkUnstructuredGrid& grid) {
+  // Through memory: a writer that opens files itself prints its troubles instead of telling them.
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(&grid);
+  writer->WriteToOutputStringOn();
+  // The numbers as they are (docs/decisions/0020): meshio does not read LZ4, zlib takes longer than
+  // the step that is written.
+  writer->SetCompressorTypeToNone();
+  writer->SetHeaderTypeToUInt64();
+  if (grid.GetCells()->GetNumberOfConnectivityIds() <= std::numeric_limits<std::int32_t>::max()) {
+    writer->SetIdTypeToInt32();
+  }
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  if (writer->Write() != 1) {
+    throw WorkError(fmt::format("{}: VTK cannot write this mesh", file.string()));
+  }
+  write_text_file(file, writer->GetOutputString());
+}
+
 }  // namespace
 
 void write_vtu(const std::filesystem::path& file, const Mesh& mesh, const VtuFields& fields) {
@@ -89,35 +126,35 @@ void write_vtu(const std::filesystem::path& file, const Mesh& mesh, const VtuFie
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(points);
   add_cells(mesh, *grid);
-  for (const NodeField& field : fields.nodes) {
-    grid->GetPointData()->AddArray(
-        double_array(field.name, field.values, mesh.dim, 3, mesh.num_nodes()));
-  }
+  add_node_fields(fields.nodes, mesh.dim, mesh.num_nodes(), *grid);
   for (const ElementField& field : fields.elements) {
-    grid->GetCellData()->AddArray(
-        double_array(field.name, field.values, 1, 1, mesh.num_elements()));
+    const vtkNew<vtkDoubleArray> array = double_array(field.name, field.values, field.components,
+                                                      field.components, mesh.num_elements());
+    name_components(field.component_names, *array);
+    grid->GetCellData()->AddArray(array);
   }
   for (const ElementLabels& labels : fields.labels) {
     add_labels(labels, mesh.num_elements(), *grid);
   }
+  write_grid(file, *grid);
+}
 
-  // Through memory: a writer that opens files itself prints its troubles instead of telling them.
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetInputData(grid);
-  writer->WriteToOutputStringOn();
-  // The numbers as they are (docs/decisions/0020): meshio does not read LZ4, zlib takes longer than
-  // the step that is written.
-  writer->SetCompressorTypeToNone();
-  writer->SetHeaderTypeToUInt64();
-  if (grid->GetCells()->GetNumberOfConnectivityIds() <= std::numeric_limits<std::int32_t>::max()) {
-    writer->SetIdTypeToInt32();
+void write_points_vtu(const std::filesystem::path& file, std::span<const double> positions,
+                      const std::vector<NodeField>& fields) {
+  const std::size_t count = positions.size() / 3;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(count));
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->Allocate(static_cast<vtkIdType>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto point = static_cast<vtkIdType>(i);
+    points->SetPoint(point, &positions[3 * i]);
+    grid->InsertNextCell(VTK_VERTEX, 1, &point);
   }
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  if (writer->Write() != 1) {
-    throw WorkError(fmt::format("{}: VTK cannot write this mesh", file.string()));
-  }
-  write_text_file(file, writer->GetOutputString());
+  grid->SetPoints(points);
+  add_node_fields(fields, 3, count, *grid);
+  write_grid(file, *grid);
 }
 
 }  // namespace elastogen::selector

@@ -11,16 +11,22 @@
 
 namespace elastogen::selector {
 
-/// A quantity per node: values[dim * node + component]; in a plane file the third component is 0.
+/// A quantity per node: values[components * node + component]. Without a number of components it
+/// is a vector of the mesh's dimensions; in a plane file the third component is 0 then.
 struct NodeField {
   std::string name;
   std::span<const double> values;
+  int components = 0;
+  std::vector<std::string> component_names = {};  ///< none, or one for each
 };
 
-/// A quantity per element, in the mesh's numbering through the blocks.
+/// A quantity per element, in the mesh's numbering through the blocks:
+/// values[components * element + component].
 struct ElementField {
   std::string name;
   std::span<const double> values;
+  int components = 1;
+  std::vector<std::string> component_names = {};
 };
 
 /// A choice per element: values[element] is an index into `names`, which have no line breaks.
@@ -44,5 +50,11 @@ struct VtuFields {
 /// @throws InternalError  when a field's size does not fit the mesh
 /// @throws WorkError      when the file cannot be written
 void write_vtu(const std::filesystem::path& file, const Mesh& mesh, const VtuFields& fields);
+
+/// Writes points alone, each a vertex, with their fields as point data, likewise.
+/// @param positions  in space [3 * point + component]
+/// @throws InternalError, WorkError  as write_vtu
+void write_points_vtu(const std::filesystem::path& file, std::span<const double> positions,
+                      const std::vector<NodeField>& fields);
 
 }  // namespace elastogen::selector

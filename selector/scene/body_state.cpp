@@ -25,6 +25,10 @@ std::vector<ElementLabels> element_labels(const SceneMesh& mesh) {
   return {associations, regions};
 }
 
+NodeField as_node_field(const FieldArray& array) {
+  return {array.shape.name, array.values, array.shape.width(), array.shape.components};
+}
+
 std::array<double, 3> to_array(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
@@ -45,8 +49,21 @@ ProbeResult evaluate_probe(const Probe& probe, const Mesh& mesh, const BodyState
     reaction += force;
     moment += (at_node(mesh.positions, node, dim) + u - centre).cross(force);
   }
-  return {probe.name, probe.nodes.size(), to_array(displacement), to_array(reaction),
-          to_array(moment)};
+  return {probe.name,         probe.nodes.size(), to_array(displacement),
+          to_array(reaction), to_array(moment),   {}};
+}
+
+std::vector<ProbeResult> evaluate_probes(const Scene& scene, const Problem& problem,
+                                         const BodyState& state, FieldEvaluator& fields) {
+  std::vector<ProbeResult> results;
+  std::vector<double> quantities;
+  if (shows_probe_fields(scene)) quantities = fields.nodal_quantities(state.displacement);
+  for (const Probe& probe : problem.probes) {
+    results.push_back(evaluate_probe(probe, problem.mesh.mesh, state));
+    if (quantities.empty()) continue;
+    results.back().fields = fields.at_probe(quantities, probe.nodes);
+  }
+  return results;
 }
 
 Momentum momentum_of(const Mesh& mesh, std::span<const double> mass, const BodyState& state) {
@@ -71,15 +88,31 @@ std::vector<double> energy_density(Model& model, const Vector& displacement) {
 }
 
 void write_state(const std::filesystem::path& file, const SceneMesh& mesh, const BodyState& state,
-                 std::span<const double> energy_density) {
-  VtuFields fields;
-  fields.nodes = {{"displacement", values_of(state.displacement)},
-                  {"internal_forces", values_of(state.internal_forces)},
-                  {"reactions", values_of(state.reactions)}};
-  if (state.velocity.size() > 0) fields.nodes.push_back({"velocity", values_of(state.velocity)});
-  if (!energy_density.empty()) fields.elements = {{"energy_density", energy_density}};
-  fields.labels = element_labels(mesh);
-  write_vtu(file, mesh.mesh, fields);
+                 const FieldSettings& chosen, const FieldValues& fields) {
+  VtuFields written;
+  const auto add = [&](const std::string& name, const Vector& vector) {
+    if (vector.size() > 0 && chosen.has(name)) written.nodes.push_back({name, values_of(vector)});
+  };
+  add("displacement", state.displacement);
+  add("internal_forces", state.internal_forces);
+  add("reactions", state.reactions);
+  add("velocity", state.velocity);
+  for (const FieldArray& array : fields.nodes) written.nodes.push_back(as_node_field(array));
+  for (const FieldArray& array : fields.elements) {
+    written.elements.push_back(
+        {array.shape.name, array.values, array.shape.width(), array.shape.components});
+  }
+  written.labels = element_labels(mesh);
+  write_vtu(file, mesh.mesh, written);
+}
+
+void write_points(const std::filesystem::path& file, const BodyState& state,
+                  FieldEvaluator& evaluator, const FieldValues& fields) {
+  const std::vector<double> displacement = evaluator.point_displacements(state.displacement);
+  const std::vector<double> elements = evaluator.point_elements();
+  std::vector<NodeField> written = {{"displacement", displacement, 3}, {"element", elements, 1}};
+  for (const FieldArray& array : fields.points) written.push_back(as_node_field(array));
+  write_points_vtu(file, evaluator.point_positions(), written);
 }
 
 }  // namespace elastogen::selector

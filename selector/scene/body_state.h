@@ -8,6 +8,7 @@
 
 #include "runtime/model.h"
 #include "runtime/vector.h"
+#include "selector/scene/field_values.h"
 #include "selector/scene/problem.h"
 
 namespace elastogen::selector {
@@ -34,10 +35,16 @@ struct ProbeResult {
   /// Moment of those forces, where they act now, about the centre of the nodes at rest [N m]; in
   /// the plane only the last component.
   std::array<double, 3> moment{};
+  std::vector<FieldArray> fields;  ///< of the nodes' mean, where probes show fields
 };
 
 [[nodiscard]] ProbeResult evaluate_probe(const Probe& probe, const Mesh& mesh,
                                          const BodyState& state);
+
+/// All of them, with fields where the scene's probes show fields.
+[[nodiscard]] std::vector<ProbeResult> evaluate_probes(const Scene& scene, const Problem& problem,
+                                                       const BodyState& state,
+                                                       FieldEvaluator& fields);
 
 /// Of a body in motion.
 struct Momentum {
@@ -53,9 +60,13 @@ struct Momentum {
 [[nodiscard]] std::vector<double> energy_density(Model& model, const Vector& displacement);
 
 /// Writes mesh, state, associations and regions for ParaView (docs/scene.md), atomically.
-/// @param energy_density  of each element [J/m^3]; empty: left out
+/// @param chosen  says which of the state's vectors are written
 /// @throws WorkError  when the file cannot be written
 void write_state(const std::filesystem::path& file, const SceneMesh& mesh, const BodyState& state,
-                 std::span<const double> energy_density);
+                 const FieldSettings& chosen, const FieldValues& fields);
+
+/// Writes the quadrature points at rest with their displacements and fields, likewise.
+void write_points(const std::filesystem::path& file, const BodyState& state,
+                  FieldEvaluator& evaluator, const FieldValues& fields);
 
 }  // namespace elastogen::selector

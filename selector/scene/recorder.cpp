@@ -23,46 +23,67 @@ std::string csv_field(const std::string& text) {
   return quoted + "\"";
 }
 
-std::vector<std::string> column_names(const Scene& scene) {
-  std::vector<std::string> names = {"step"};
+constexpr const char* points_index = "points.pvd";
+
+std::string step_file(const std::string& stem, std::int64_t step) {
+  return fmt::format("{}/{}_{:06}.vtu", series_folder, stem, step);
+}
+
+std::vector<HistoryColumn> history_columns(const Scene& scene) {
+  std::vector<HistoryColumn> columns;
+  const auto add = [&](const std::string& name) { columns.push_back({name, {}}); };
+  add("step");
   if (scene.dynamics) {
-    names.insert(names.end(), {"time", "kinetic_energy"});
+    add("time");
+    add("kinetic_energy");
   } else {
-    names.emplace_back("load_factor");
+    add("load_factor");
   }
-  if (scene.output.energy) names.emplace_back("elastic_energy");
-  const auto add_turning = [&](const std::string& quantity) {
+  if (scene.output.energy) add("elastic_energy");
+  const auto add_turning = [&](const std::string& start, const std::string& quantity) {
     for (const std::string axis : {"x", "y", "z"}) {
       // In the plane things turn about z.
-      if (scene.dim == 3 || axis == "z") names.push_back(quantity + axis);
+      if (scene.dim == 3 || axis == "z") columns.push_back({start + axis, quantity});
     }
   };
   if (scene.output.momentum) {
-    for (const std::string& axis : axes_of(scene.dim)) names.push_back("momentum_" + axis);
-    add_turning("angular_momentum_");
+    for (const std::string& axis : axes_of(scene.dim)) add("momentum_" + axis);
+    add_turning("angular_momentum_", "");
   }
   for (const ProbeDescription& probe : scene.probes) {
     for (const char* quantity : {"u", "r"}) {
       for (const std::string& axis : axes_of(scene.dim)) {
-        names.push_back(fmt::format("{}_{}{}", probe.name, quantity, axis));
+        columns.push_back({fmt::format("{}_{}{}", probe.name, quantity, axis), quantity});
       }
     }
-    add_turning(probe.name + "_m");
+    add_turning(probe.name + "_m", "m");
+    if (!shows_probe_fields(scene)) continue;
+    for (const OutputField* field : scene.output.fields.fields) {
+      if (!field->of_points()) continue;
+      for (const FieldShape& shape : field_shapes(*field)) {
+        const std::string name = fmt::format("{}_{}", probe.name, shape.name);
+        if (shape.components.empty()) columns.push_back({name, shape.name});
+        for (const std::string& component : shape.components) {
+          columns.push_back({name + "_" + component, shape.name + "." + component});
+        }
+      }
+    }
   }
-  return names;
+  return columns;
 }
 
 }  // namespace
 
-Recorder::Recorder(const Scene& scene, const Problem& problem, Model& model, fs::path folder,
-                   RecordIntervals intervals, std::string fingerprint)
+Recorder::Recorder(const Scene& scene, const Problem& problem, Model& model, FieldEvaluator& fields,
+                   fs::path folder, RecordIntervals intervals, std::string fingerprint)
     : scene_(scene),
       problem_(problem),
       model_(model),
+      fields_(fields),
       folder_(std::move(folder)),
       intervals_(intervals),
       fingerprint_(std::move(fingerprint)),
-      columns_(column_names(scene)) {}
+      columns_(history_columns(scene)) {}
 
 void Recorder::open_history(std::ios::openmode mode) {
   history_.open(history_file(), std::ios::binary | mode);
@@ -75,7 +96,7 @@ void Recorder::open_history(std::ios::openmode mode) {
 void Recorder::begin_history() {
   open_history(std::ios::trunc);
   std::vector<std::string> fields;
-  for (const std::string& column : columns_) fields.push_back(csv_field(column));
+  for (const HistoryColumn& column : columns_) fields.push_back(csv_field(column.name));
   append(join(fields, ",") + "\n");
 }
 
@@ -92,10 +113,12 @@ void Recorder::start() {
   std::error_code error;
   fs::remove(checkpoint_file(folder_), error);
   fs::remove(folder_ / series_index, error);
+  fs::remove(folder_ / points_index, error);
   fs::remove(history_file(), error);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / series_folder, error)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with("step_") && name.ends_with(".vtu")) fs::remove(entry.path(), error);
+    const bool ours = name.starts_with("step_") || name.starts_with("points_");
+    if (ours && name.ends_with(".vtu")) fs::remove(entry.path(), error);
   }
   if (intervals_.history > 0) begin_history();
 }
@@ -125,39 +148,53 @@ bool Recorder::wants(std::int64_t step) const {
 }
 
 void Recorder::record(std::int64_t step, double time, const BodyState& state) {
-  if (intervals_.history > 0 && step % intervals_.history == 0) {
-    std::vector<std::string> fields = {fmt::format("{}", step), fmt::format("{}", time)};
-    const auto add = [&](double value) { fields.push_back(fmt::format("{}", value)); };
-    if (scene_.dynamics) add(state.kinetic_energy);
-    if (scene_.output.energy) add(model_.energy(state.displacement));
-    const auto dim = static_cast<std::size_t>(scene_.dim);
-    const auto add_vector = [&](const std::array<double, 3>& vector) {
-      for (std::size_t c = 0; c < dim; ++c) add(vector[c]);
-    };
-    const auto add_turning = [&](const std::array<double, 3>& vector) {
-      for (std::size_t c = dim == 3 ? 0 : 2; c < 3; ++c) add(vector[c]);
-    };
-    if (scene_.output.momentum) {
-      const Momentum momentum = momentum_of(problem_.mesh.mesh, model_.lumped_mass(), state);
-      add_vector(momentum.linear);
-      add_turning(momentum.angular);
-    }
-    for (const Probe& probe : problem_.probes) {
-      const ProbeResult result = evaluate_probe(probe, problem_.mesh.mesh, state);
-      add_vector(result.displacement);
-      add_vector(result.reaction);
-      add_turning(result.moment);
-    }
-    append(join(fields, ",") + "\n");
+  if (intervals_.history > 0 && step % intervals_.history == 0) record_history(step, time, state);
+  if (intervals_.series > 0 && step % intervals_.series == 0) record_series(step, time, state);
+}
+
+void Recorder::record_history(std::int64_t step, double time, const BodyState& state) {
+  std::vector<std::string> row = {fmt::format("{}", step), fmt::format("{}", time)};
+  const auto add = [&](double value) { row.push_back(fmt::format("{}", value)); };
+  if (scene_.dynamics) add(state.kinetic_energy);
+  if (scene_.output.energy) add(model_.energy(state.displacement));
+  const auto dim = static_cast<std::size_t>(scene_.dim);
+  const auto add_vector = [&](const std::array<double, 3>& vector) {
+    for (std::size_t c = 0; c < dim; ++c) add(vector[c]);
+  };
+  const auto add_turning = [&](const std::array<double, 3>& vector) {
+    for (std::size_t c = dim == 3 ? 0 : 2; c < 3; ++c) add(vector[c]);
+  };
+  if (scene_.output.momentum) {
+    const Momentum momentum = momentum_of(problem_.mesh.mesh, model_.lumped_mass(), state);
+    add_vector(momentum.linear);
+    add_turning(momentum.angular);
   }
-  if (intervals_.series > 0 && step % intervals_.series == 0) {
-    const std::string name = fmt::format("{}/step_{:06}.vtu", series_folder, step);
-    std::vector<double> density;
-    if (scene_.output.energy) density = energy_density(model_, state.displacement);
-    write_state(folder_ / name, problem_.mesh, state, density);
-    series_.push_back({time, name});
-    write_pvd(folder_ / series_index, series_);
+  for (const ProbeResult& probe : evaluate_probes(scene_, problem_, state, fields_)) {
+    add_vector(probe.displacement);
+    add_vector(probe.reaction);
+    add_turning(probe.moment);
+    for (const FieldArray& field : probe.fields) {
+      for (const double value : field.values) add(value);
+    }
   }
+  append(join(row, ",") + "\n");
+}
+
+void Recorder::record_series(std::int64_t step, double time, const BodyState& state) {
+  const FieldValues fields = fields_.at(state.displacement);
+  const std::string name = step_file("step", step);
+  write_state(folder_ / name, problem_.mesh, state, scene_.output.fields, fields);
+  series_.push_back({time, name});
+  if (scene_.output.fields.at_points) {
+    write_points(folder_ / step_file("points", step), state, fields_, fields);
+    // A file of points beside every file of the body.
+    std::vector<SeriesFile> points = series_;
+    for (SeriesFile& file : points) {
+      file.name.replace(file.name.find("/step_"), 6, "/points_");
+    }
+    write_pvd(folder_ / points_index, points);
+  }
+  write_pvd(folder_ / series_index, series_);
 }
 
 void Recorder::keep(Checkpoint state, bool must) {
@@ -176,6 +213,7 @@ void Recorder::keep(Checkpoint state, bool must) {
 std::vector<std::string> Recorder::files() const {
   std::vector<std::string> files;
   if (intervals_.series > 0) files.emplace_back(series_index);
+  if (intervals_.series > 0 && scene_.output.fields.at_points) files.emplace_back(points_index);
   if (intervals_.history > 0) files.emplace_back("history.csv");
   if (scene_.has_steps()) files.push_back(checkpoint_file("").string());
   return files;

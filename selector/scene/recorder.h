@@ -20,15 +20,22 @@ struct RecordIntervals {
   std::int64_t history = 0;  ///< likewise
 };
 
-/// series.pvd, series/step_NNNNNN.vtu, history.csv and state.cbor in a folder of results. A kill at
+/// A column of history.csv.
+struct HistoryColumn {
+  std::string name;      ///< "tip_von_mises"
+  std::string quantity;  ///< of probes: "u", "r", "m", or a field, "von_mises", "cauchy_stress.XX"
+};
+
+/// series.pvd, series/step_NNNNNN.vtu (with points also points.pvd, series/points_NNNNNN.vtu),
+/// history.csv and state.cbor in a folder of results. A kill at
 /// any moment leaves whole files; what is recorded after the last checkpoint is recorded again when
 /// the run is resumed.
 class Recorder {
  public:
   /// @param fingerprint  of the run, for its checkpoints
   /// All must outlive the recorder, which writes nothing before `start` or `resume`.
-  Recorder(const Scene& scene, const Problem& problem, Model& model, std::filesystem::path folder,
-           RecordIntervals intervals, std::string fingerprint);
+  Recorder(const Scene& scene, const Problem& problem, Model& model, FieldEvaluator& fields,
+           std::filesystem::path folder, RecordIntervals intervals, std::string fingerprint);
 
   /// Begins a new record; removes what is left of an older one.
   /// @throws WorkError  when the folder cannot be written
@@ -52,7 +59,7 @@ class Recorder {
   /// Names of the files of the record, for the summary.
   [[nodiscard]] std::vector<std::string> files() const;
   /// Columns of history.csv, the step and the time being the first.
-  [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
+  [[nodiscard]] const std::vector<HistoryColumn>& columns() const { return columns_; }
   [[nodiscard]] std::filesystem::path history_file() const { return folder_ / "history.csv"; }
 
  private:
@@ -61,14 +68,17 @@ class Recorder {
   void open_history(std::ios::openmode mode);
   void begin_history();
   void append(const std::string& line);
+  void record_history(std::int64_t step, double time, const BodyState& state);
+  void record_series(std::int64_t step, double time, const BodyState& state);
 
   const Scene& scene_;
   const Problem& problem_;
   Model& model_;
+  FieldEvaluator& fields_;
   std::filesystem::path folder_;
   RecordIntervals intervals_;
   std::string fingerprint_;
-  std::vector<std::string> columns_;
+  std::vector<HistoryColumn> columns_;
   std::vector<SeriesFile> series_;
   std::ofstream history_;
   std::uint64_t history_bytes_ = 0;

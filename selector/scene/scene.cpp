@@ -261,21 +261,28 @@ SkipSettings read_skip(const TomlTable& table, const std::optional<DynamicsDescr
   return skip;
 }
 
+FieldContext field_context(const OutputSettings& output, const Scene& scene) {
+  return {output.vtu || output.series || output.picture, output.picture,
+          scene.dynamics.has_value()};
+}
+
 /// What is written unless the scene says something else.
 OutputSettings default_output(const Scene& scene) {
   OutputSettings output;
   output.curve = scene.bar.has_value();
   output.series = output.history = scene.has_steps();
   output.energy = !scene.dynamics;
+  output.fields = default_fields(field_context(output, scene));
   return output;
 }
 
 OutputSettings read_output(const TomlTable& table, const Scene& scene) {
-  table.allow_only({"write", "every", "energy", "momentum"});
+  table.allow_only(
+      {"write", "every", "energy", "momentum", "fields", "stress_at", "nodal", "picture"});
   OutputSettings output = default_output(scene);
   if (table.has("write")) {
     const bool energy = output.energy;
-    output = {false, false, false, false, false, {}, false, energy};
+    output = {false, false, false, false, false, {}, false, energy, {}};
     const std::vector<std::pair<std::string, bool*>> choices = {{"vtu", &output.vtu},
                                                                 {"curve", &output.curve},
                                                                 {"picture", &output.picture},
@@ -309,6 +316,7 @@ OutputSettings read_output(const TomlTable& table, const Scene& scene) {
     }
     output.momentum = table.boolean("momentum");
   }
+  output.fields = read_fields(table, field_context(output, scene));
   return output;
 }
 

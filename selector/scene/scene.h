@@ -10,6 +10,7 @@
 #include "runtime/linear_solver.h"
 #include "selector/scene/constraint_table.h"
 #include "selector/scene/dynamics_table.h"
+#include "selector/scene/field_table.h"
 #include "selector/scene/mesh_file_table.h"
 #include "selector/scene/start.h"
 #include "selector/scene/toml_table.h"
@@ -123,7 +124,8 @@ struct OutputSettings {
   bool history = false;
   std::optional<int> every;  ///< time or load steps between the files of the series
   bool momentum = false;     ///< of motions, in the history
-  bool energy = true;        ///< elastic energy, and its density in each element
+  bool energy = true;        ///< elastic energy, in the history
+  FieldSettings fields;
 };
 
 /// Constants of the material measured back from a bar that is pulled along x.

@@ -39,7 +39,10 @@ std::vector<std::string> operations_of(const Scene& scene, const Problem& proble
       operations.insert(operations.end(), products.begin(), products.end());
       operations.emplace_back("stiffness");
     }
-    if (scene.output.energy) operations.insert(operations.begin(), "energy");
+    if (scene.output.energy || needs_element_energies(scene)) {
+      operations.insert(operations.begin(), "energy");
+    }
+    if (needs_stress(scene)) operations.emplace_back("stress");
     return operations;
   }
   // Conjugate gradient takes the blocks of its preconditioner from the stiffness. Where constrained
@@ -50,6 +53,7 @@ std::vector<std::string> operations_of(const Scene& scene, const Problem& proble
     operations.insert(operations.end(), products.begin(), products.end());
   }
   operations.emplace_back("stiffness");
+  if (needs_stress(scene)) operations.emplace_back("stress");
   return operations;
 }
 
@@ -57,7 +61,7 @@ OperationsByPrecision divide_operations(const std::vector<std::string>& operatio
                                         Precision precision) {
   OperationsByPrecision divided;
   for (const std::string& operation : operations) {
-    const bool of_tangent = operation != "energy" && operation != "forces";
+    const bool of_tangent = operation != "energy" && operation != "forces" && operation != "stress";
     const bool single =
         precision == Precision::single_precision || (precision == Precision::mixed && of_tangent);
     (single ? divided.in_single : divided.in_double).push_back(operation);
@@ -65,8 +69,7 @@ OperationsByPrecision divide_operations(const std::vector<std::string>& operatio
   return divided;
 }
 
-Model make_model(const Scene& scene, const Problem& problem, std::span<const BlockKernels> kernels,
-                 int threads) {
+std::vector<ModelPart> make_parts(const Problem& problem, std::span<const BlockKernels> kernels) {
   const Mesh& mesh = problem.mesh.mesh;
   std::vector<ModelPart> parts;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
@@ -76,6 +79,11 @@ Model make_model(const Scene& scene, const Problem& problem, std::span<const Blo
                      kernels[b].in_double, material.parameters, material.density,
                      kernels[b].in_single});
   }
+  return parts;
+}
+
+Model make_model(const Scene& scene, const Problem& problem, std::span<const ModelPart> parts,
+                 int threads) {
   ModelOptions options;
   options.threads = threads;
   options.precision = scene.solver.precision;
@@ -84,7 +92,7 @@ Model make_model(const Scene& scene, const Problem& problem, std::span<const Blo
   options.share_constants = scene.skip.congruent;
   if (scene.skip.at_rest) options.held_nodes = problem.motion.held_nodes();
   options.sleep = scene.skip.sleep;
-  return Model(mesh, parts, options);
+  return Model(problem.mesh.mesh, parts, options);
 }
 
 Vector make_load(const Scene& scene, const Problem& problem, const Model& model) {
@@ -101,15 +109,14 @@ Vector make_load(const Scene& scene, const Problem& problem, const Model& model)
 }
 
 SceneResults collect_results(const Scene& scene, const Problem& problem, Model& model,
-                             BodyState state) {
+                             FieldEvaluator& fields, BodyState state) {
   SceneResults results;
   results.state = std::move(state);
-  if (scene.output.energy) {
-    results.energy_density = energy_density(model, results.state.displacement);
-  }
-  for (const Probe& probe : problem.probes) {
-    results.probes.push_back(evaluate_probe(probe, problem.mesh.mesh, results.state));
-  }
+  const Vector& displacement = results.state.displacement;
+  results.fields = fields.at(displacement);
+  results.probes = evaluate_probes(scene, problem, results.state, fields);
+  if (scene.output.fields.picture) results.picture = fields.picture(displacement);
+  results.trouble = fields.trouble();
   if (!problem.mesh.section_x.empty()) {
     results.curve = mean_of_sections(problem.mesh.section_x, problem.mesh.section_nodes,
                                      values_of(results.state.displacement), model.dim());

@@ -33,12 +33,16 @@ struct OperationsByPrecision {
 [[nodiscard]] OperationsByPrecision divide_operations(const std::vector<std::string>& operations,
                                                       Precision precision);
 
+/// The model's parts: one for each block of the mesh.
+/// @param kernels  of each block
+[[nodiscard]] std::vector<ModelPart> make_parts(const Problem& problem,
+                                                std::span<const BlockKernels> kernels);
+
 /// With what the scene's solver and skip settings say of it.
-/// @param kernels  of each block of the mesh
 /// @param threads  0: all
 /// @throws InputError  an inverted or degenerate element, by its number
 [[nodiscard]] Model make_model(const Scene& scene, const Problem& problem,
-                               std::span<const BlockKernels> kernels, int threads);
+                               std::span<const ModelPart> parts, int threads);
 
 /// Gravity as a consistent body load, the nodal forces and those of surface loads [N].
 [[nodiscard]] Vector make_load(const Scene& scene, const Problem& problem, const Model& model);
@@ -46,7 +50,9 @@ struct OperationsByPrecision {
 /// What a run found in its last state, ready to be written.
 struct SceneResults {
   BodyState state;
-  std::vector<double> energy_density;  ///< of each element [J/m^3]; empty unless asked for
+  FieldValues fields;
+  std::optional<ElementNodeValues> picture;  ///< where a field is drawn
+  std::string trouble;                       ///< that a field has; empty: none
   std::vector<ProbeResult> probes;
   std::optional<DeflectionCurve> curve;         ///< of bars
   std::optional<CurveDistance> distance;        ///< with a reference that is a curve
@@ -56,6 +62,6 @@ struct SceneResults {
 
 /// Evaluates the state that a run ended in.
 [[nodiscard]] SceneResults collect_results(const Scene& scene, const Problem& problem, Model& model,
-                                           BodyState state);
+                                           FieldEvaluator& fields, BodyState state);
 
 }  // namespace elastogen::selector

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 
+#include "selector/io/si_prefix.h"
 #include "selector/support/names.h"
 
 namespace elastogen::selector {
@@ -175,6 +176,30 @@ Json components_json(const std::array<double, 3>& vector, std::size_t dim) {
   return std::vector<double>(vector.begin(), vector.begin() + static_cast<std::ptrdiff_t>(dim));
 }
 
+/// A number, or one for each component; what is no number is null.
+Json field_json(const FieldArray& field) {
+  if (field.shape.components.empty()) return field.values.front();
+  Json components;
+  for (std::size_t c = 0; c < field.values.size(); ++c) {
+    components[field.shape.components[c]] = field.values[c];
+  }
+  return components;
+}
+
+/// The element where a scalar is greatest; none where no element has it.
+struct Greatest {
+  double value = 0;
+  std::size_t element = 0;
+};
+std::optional<Greatest> greatest_in_elements(const FieldValues& fields, std::string_view name) {
+  for (const FieldArray& array : fields.elements) {
+    if (array.shape.name != name) continue;
+    const auto at = std::max_element(array.values.begin(), array.values.end());
+    return Greatest{*at, static_cast<std::size_t>(at - array.values.begin())};
+  }
+  return std::nullopt;
+}
+
 Json probes_json(const SceneResults& results, std::size_t dim) {
   Json list = Json::array();
   for (const ProbeResult& probe : results.probes) {
@@ -183,6 +208,9 @@ Json probes_json(const SceneResults& results, std::size_t dim) {
                     {"displacement", components_json(probe.displacement, dim)},
                     {"reaction", components_json(probe.reaction, dim)},
                     {"moment", dim == 2 ? Json(probe.moment[2]) : Json(probe.moment)}});
+    for (const FieldArray& field : probe.fields) {
+      list.back()["fields"][field.shape.name] = field_json(field);
+    }
   }
   return list;
 }
@@ -259,6 +287,13 @@ std::string results_text(const RunSummary& summary) {
     text += fmt::format("  probe {:<13} mean displacement {} m, reaction {} N\n", probe.name,
                         vector_text(std::span(probe.displacement).first(dim), 6),
                         vector_text(std::span(probe.reaction).first(dim), 1));
+  }
+  if (const auto greatest = greatest_in_elements(results.fields, "von_mises")) {
+    const SiPrefix prefix = si_prefix(greatest->value);
+    const std::vector<std::uint64_t>& numbers = summary.problem->mesh.element_numbers;
+    text += fmt::format("  von Mises stress    at most {:.6g} {}Pa, of element {}\n",
+                        prefix.factor * greatest->value, prefix.symbol,
+                        numbers.empty() ? greatest->element : numbers[greatest->element]);
   }
   if (results.curve) {
     text += fmt::format("  tip deflection      {} = {:.6f} m, u_x = {:.6f} m\n",
@@ -370,7 +405,8 @@ std::string times_text(const RunSummary& summary) {
 
 std::vector<std::string> skipped_operations(const std::vector<std::string>& generated) {
   std::vector<std::string> skipped;
-  for (const char* operation : {"energy", "forces", "product", "linearize", "apply", "stiffness"}) {
+  for (const char* operation :
+       {"energy", "forces", "product", "linearize", "apply", "stiffness", "stress"}) {
     if (std::find(generated.begin(), generated.end(), operation) == generated.end()) {
       skipped.emplace_back(operation);
     }
@@ -404,6 +440,9 @@ Json summary_json(const RunSummary& summary) {
                             {summary.motion ? "time" : "load_factor", summary.resumed_from->time}};
   }
   json["probes"] = probes_json(results, dim);
+  if (const auto greatest = greatest_in_elements(results.fields, "von_mises")) {
+    json["greatest_von_mises"] = {{"value", greatest->value}, {"element", greatest->element}};
+  }
   if (results.curve)
     json["tip_displacement"] = components_json(results.curve->displacement.back(), dim);
   if (results.distance) {

@@ -1,7 +1,10 @@
 #include "selector/scene/write_results.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "runtime/error.h"
@@ -28,51 +31,73 @@ void try_picture(const std::string& name, RunSummary& summary, const Draw& draw)
   }
 }
 
-/// The columns of all probes for one quantity ('u', 'r', 'm') that vary enough to be seen.
-std::vector<std::size_t> visible_columns(const std::vector<std::string>& names,
-                                         const std::vector<double>& ranges, std::size_t first,
-                                         char quantity) {
-  std::vector<std::size_t> columns;
+/// The columns of all probes for one quantity that vary enough to be seen.
+std::vector<std::size_t> visible_columns(const std::vector<HistoryColumn>& columns,
+                                         const std::vector<double>& ranges,
+                                         const std::string& quantity) {
+  std::vector<std::size_t> visible;
   double largest = 0;
-  for (std::size_t c = first; c < names.size() && c < ranges.size(); ++c) {
-    if (names[c][names[c].size() - 2] != quantity) continue;
-    columns.push_back(c);
+  for (std::size_t c = 0; c < columns.size() && c < ranges.size(); ++c) {
+    if (columns[c].quantity != quantity) continue;
+    visible.push_back(c);
     largest = std::max(largest, ranges[c]);
   }
-  std::erase_if(columns, [&](std::size_t c) { return !(ranges[c] > visible_range * largest); });
-  if (columns.size() > most_curves) columns.resize(most_curves);
-  return columns;
+  std::erase_if(visible, [&](std::size_t c) { return !(ranges[c] > visible_range * largest); });
+  if (visible.size() > most_curves) visible.resize(most_curves);
+  return visible;
+}
+
+/// The quantity of the columns that show what the picture does.
+std::string column_quantity(const PictureField& picture) {
+  const FieldShape shape = field_shapes(*picture.field).front();
+  if (shape.components.empty()) return shape.name;
+  return shape.name + "." + shape.components[static_cast<std::size_t>(picture.component)];
 }
 
 void draw_history_of(const std::filesystem::path& file, const RunSummary& summary,
                      const Recorder& recorder) {
   const Scene& scene = *summary.scene;
-  const std::vector<std::string>& names = recorder.columns();
+  const std::vector<HistoryColumn>& columns = recorder.columns();
   const std::vector<double> ranges = column_ranges(recorder.history_file());
-  const std::size_t first_probe = (scene.dynamics ? 3 : 2) + (scene.output.energy ? 1 : 0);
   std::vector<HistoryPanel> panels = {
-      {"mean displacement [m]", visible_columns(names, ranges, first_probe, 'u'), false},
-      {"reaction [N]", visible_columns(names, ranges, first_probe, 'r'), false},
-      {"moment of reactions [N m]", visible_columns(names, ranges, first_probe, 'm'), false}};
+      {"mean displacement [m]", visible_columns(columns, ranges, "u"), false},
+      {"reaction [N]", visible_columns(columns, ranges, "r"), false},
+      {"moment of reactions [N m]", visible_columns(columns, ranges, "m"), false}};
+  if (const auto& picture = summary.results->picture) {
+    const std::string quantity = column_quantity(*scene.output.fields.picture);
+    panels.push_back({picture->unit.empty() ? picture->title
+                                            : fmt::format("{} [{}]", picture->title, picture->unit),
+                      visible_columns(columns, ranges, quantity), false});
+  }
   if (scene.dynamics) panels.push_back({"kinetic energy [J]", {2}, true});
   std::erase_if(panels, [](const HistoryPanel& panel) { return panel.columns.empty(); });
   if (panels.empty()) return;
+  std::vector<std::string> names;
+  for (const HistoryColumn& column : columns) names.push_back(column.name);
   draw_history(file, recorder.history_file(), names, 1, scene.dynamics ? "t [s]" : "load factor",
                panels, scene.title);
 }
 
 void write_pictures(RunSummary& summary, const Recorder& recorder) {
   if (!have_gnuplot()) {
-    summary.warnings.push_back(
+    summary.warnings.emplace_back(
         "gnuplot is not installed, so there are no pictures (package gnuplot-nox)");
     return;
   }
   const Scene& scene = *summary.scene;
   const SceneResults& results = *summary.results;
+  const Mesh& mesh = summary.problem->mesh.mesh;
+  const std::span<const double> displacement = values_of(results.state.displacement);
   try_picture("deformed.png", summary, [&](const std::filesystem::path& file) {
-    draw_deformed(file, summary.problem->mesh.mesh, values_of(results.state.displacement),
-                  scene.title);
+    draw_deformed(file, mesh, displacement, displacement_colours(mesh, displacement), scene.title);
   });
+  if (results.picture) {
+    try_picture("stress.png", summary, [&](const std::filesystem::path& file) {
+      draw_deformed(file, mesh, displacement,
+                    {results.picture->title, results.picture->unit, results.picture->values},
+                    scene.title);
+    });
+  }
   if (scene.output.history) {
     try_picture("history.png", summary, [&](const std::filesystem::path& file) {
       draw_history_of(file, summary, recorder);
@@ -90,19 +115,26 @@ void write_pictures(RunSummary& summary, const Recorder& recorder) {
 
 }  // namespace
 
-void write_results(RunSummary& summary, const Recorder& recorder) {
+void write_results(RunSummary& summary, const Recorder& recorder, FieldEvaluator& fields) {
   const OutputSettings& output = summary.scene->output;
   const SceneResults& results = *summary.results;
   if (output.vtu) {
-    write_state(summary.folder / "result.vtu", summary.problem->mesh, results.state,
-                results.energy_density);
+    write_state(summary.folder / "result.vtu", summary.problem->mesh, results.state, output.fields,
+                results.fields);
     summary.files.push_back("result.vtu");
+    if (!results.fields.points.empty()) {
+      write_points(summary.folder / "points.vtu", results.state, fields, results.fields);
+      summary.files.push_back("points.vtu");
+    }
   }
   for (const std::string& file : recorder.files()) summary.files.push_back(file);
   if (output.curve && results.curve) {
     write_curve_csv(summary.folder / "deflection.csv", *results.curve,
                     summary.scene->title + ": mean displacement of each section [m]");
     summary.files.push_back("deflection.csv");
+  }
+  if (!results.trouble.empty()) {
+    summary.warnings.push_back(fmt::format("stress: {}", results.trouble));
   }
   if (output.picture) write_pictures(summary, recorder);
   summary.files.push_back("summary.json");

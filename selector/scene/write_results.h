@@ -10,6 +10,6 @@ namespace elastogen::selector {
 /// the summary; summary.json itself is left to the caller. A picture that cannot be drawn costs a
 /// warning in the summary.
 /// @throws WorkError  when a file cannot be written
-void write_results(RunSummary& summary, const Recorder& recorder);
+void write_results(RunSummary& summary, const Recorder& recorder, FieldEvaluator& fields);
 
 }  // namespace elastogen::selector

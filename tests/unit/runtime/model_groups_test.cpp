@@ -184,7 +184,9 @@ TEST(Model, WorksInThePlane) {
                                      names,
                                      &kernel::nodal_pass<kernel::Pack<double, 8>, 3, 2>,
                                      1,
-                                     &variant};
+                                     &variant,
+                                     {},
+                                     {}};
   Mesh mesh;
   mesh.dim = 2;
   mesh.positions = {0, 0, 1, 0, 1, 1, 0, 1};

@@ -10,6 +10,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <vector>
 
 #include "runtime/kernel_abi.h"
 #include "runtime/nodal_pass.h"
@@ -27,13 +28,25 @@ struct Tet4 {
   using Nodes3 = Eigen::Matrix<double, 3, num_nodes>;
 
   static double weight(int) { return 1.0 / 6; }
-  static Eigen::Matrix<double, num_nodes, 1> values(int) {
-    return Eigen::Matrix<double, num_nodes, 1>::Constant(0.25);
+  static Vector3 point(int) { return Vector3::Constant(0.25); }
+  static Eigen::Matrix<double, num_nodes, 1> values_at(const Vector3& at) {
+    return {1 - at.sum(), at[0], at[1], at[2]};
   }
-  static Nodes3 gradients(int) {
+  static Nodes3 gradients_at(const Vector3&) {
     Nodes3 g;
     g << -1, 1, 0, 0, -1, 0, 1, 0, -1, 0, 0, 1;
     return g;
+  }
+  static Eigen::Matrix<double, num_nodes, 1> values(int q) { return values_at(point(q)); }
+  static Nodes3 gradients(int q) { return gradients_at(point(q)); }
+  /// Four points, exact for products of two linear functions (Keast 1986).
+  template <class Add>
+  static void add_rich_points(Add&& add) {
+    const double a = (5 - std::sqrt(5.0)) / 20, b = (5 + 3 * std::sqrt(5.0)) / 20;
+    add({a, a, a}, 1.0 / 24);
+    add({b, a, a}, 1.0 / 24);
+    add({a, b, a}, 1.0 / 24);
+    add({a, a, b}, 1.0 / 24);
   }
 };
 
@@ -48,23 +61,72 @@ struct Hexa8 {
   }
   static Vector3 point(int q) { return corner(q) / std::sqrt(3.0); }
   static double weight(int) { return 1; }
-  static Eigen::Matrix<double, num_nodes, 1> values(int q) {
+  static Eigen::Matrix<double, num_nodes, 1> values_at(const Vector3& at) {
     Eigen::Matrix<double, num_nodes, 1> v;
     for (int a = 0; a < num_nodes; ++a) {
-      v[a] = (Vector3::Ones() + corner(a).cwiseProduct(point(q))).prod() / 8;
+      v[a] = (Vector3::Ones() + corner(a).cwiseProduct(at)).prod() / 8;
     }
     return v;
   }
-  static Nodes3 gradients(int q) {
+  static Nodes3 gradients_at(const Vector3& at) {
     Nodes3 g;
     for (int a = 0; a < num_nodes; ++a) {
       const Vector3 s = corner(a);
-      const Vector3 t = Vector3::Ones() + s.cwiseProduct(point(q));
+      const Vector3 t = Vector3::Ones() + s.cwiseProduct(at);
       g.col(a) = Vector3(s[0] * t[1] * t[2], s[1] * t[0] * t[2], s[2] * t[0] * t[1]) / 8;
     }
     return g;
   }
+  static Eigen::Matrix<double, num_nodes, 1> values(int q) { return values_at(point(q)); }
+  static Nodes3 gradients(int q) { return gradients_at(point(q)); }
+  /// Three Gauss points in each direction.
+  template <class Add>
+  static void add_rich_points(Add&& add) {
+    const double x[3] = {-std::sqrt(0.6), 0, std::sqrt(0.6)}, w[3] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
+    for (int k = 0; k < 27; ++k) {
+      const int i = k % 3, j = k / 3 % 3, l = k / 9;
+      add({x[i], x[j], x[l]}, w[i] * w[j] * w[l]);
+    }
+  }
 };
+
+/// Shape functions of an element at points of its reference shape.
+template <class Element>
+struct PointTable {
+  std::vector<double> weights, shapes, gradients;
+
+  void add(const Vector3& at, double weight) {
+    weights.push_back(weight);
+    const auto values = Element::values_at(at);
+    const auto slopes = Element::gradients_at(at);
+    shapes.insert(shapes.end(), values.data(), values.data() + values.size());
+    gradients.insert(gradients.end(), slopes.data(), slopes.data() + slopes.size());
+  }
+  [[nodiscard]] ReferencePoints view() const {
+    return {static_cast<std::int32_t>(weights.size()), weights.data(), shapes.data(),
+            gradients.data()};
+  }
+};
+
+template <class Element>
+ReferencePoints reference_points() {
+  static const PointTable<Element> table = [] {
+    PointTable<Element> points;
+    for (int q = 0; q < Element::num_points; ++q) points.add(Element::point(q), Element::weight(q));
+    return points;
+  }();
+  return table.view();
+}
+
+template <class Element>
+ReferencePoints rich_points() {
+  static const PointTable<Element> table = [] {
+    PointTable<Element> points;
+    Element::add_rich_points([&](const Vector3& at, double weight) { points.add(at, weight); });
+    return points;
+  }();
+  return table.view();
+}
 
 /// Kernels of one element type for batches of `Lanes`.
 ///
@@ -245,6 +307,29 @@ struct ReferenceKernels {
     }
   }
 
+  static void stress_at_points(const Arguments& args) {
+    for (int lane = 0; lane < Lanes; ++lane) {
+      const Nodes3 u = load(args.displacement, lane);
+      for (int q = 0; q < points; ++q) {
+        const Matrix3 j = jacobian(load(args.positions, lane), q);
+        const Matrix3 h = u * (j.inverse().transpose() * Element::gradients(q)).transpose();
+        const Matrix3 e = strain(h);
+        const Matrix3 p = (Matrix3::Identity() + h) * stress(args, e);
+        double* out = args.output + q * stress_numbers * Lanes + lane;
+        for (int i = 0; i < 3; ++i) {
+          for (int k = 0; k < 3; ++k) {
+            out[(3 * i + k) * Lanes] = h(i, k);
+            out[(9 + 3 * i + k) * Lanes] = p(i, k);
+          }
+        }
+        out[18 * Lanes] =
+            args.parameters[0] / 2 * e.trace() * e.trace() + args.parameters[1] * e.squaredNorm();
+        out[19 * Lanes] = Element::weight(q) * j.determinant();
+        report(args, lane, p.sum(), h);
+      }
+    }
+  }
+
   static void stiffness(const Arguments& args) {
     constexpr int size = 3 * n;
     for (int lane = 0; lane < Lanes; ++lane) {
@@ -281,7 +366,8 @@ struct ReferenceKernels {
             each_batch<&product>,
             each_batch<&linearize>,
             each_batch<&apply>,
-            each_batch<&stiffness>};
+            each_batch<&stiffness>,
+            each_batch<&stress_at_points>};
   }
 
   /// @param with_box  adds a variant "box" that computes the same
@@ -303,8 +389,8 @@ struct ReferenceKernels {
                                 n, 3>,
             with_box ? 2 : 1,
             variants,
-            {},
-            {}};
+            reference_points<Element>(),
+            rich_points<Element>()};
   }
 };
 

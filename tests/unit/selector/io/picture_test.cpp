@@ -10,6 +10,7 @@
 #include "selector/io/deformed_picture.h"
 #include "selector/io/gnuplot.h"
 #include "selector/io/projection.h"
+#include "selector/io/si_prefix.h"
 #include "selector/scene/scene_mesh.h"
 
 namespace elastogen::selector {
@@ -36,7 +37,8 @@ TEST(Pictures, DeformedBodyAndCurveAreDrawn) {
   for (std::size_t i = 2; i < displacement.size(); i += 3) {
     displacement[i] = -0.1 * bar.mesh.positions[i - 2];
   }
-  draw_deformed(folder.path() / "it's.png", bar.mesh, displacement, "it's a \"title\"\nof two");
+  draw_deformed(folder.path() / "it's.png", bar.mesh, displacement,
+                displacement_colours(bar.mesh, displacement), "it's a \"title\"\nof two");
   EXPECT_EQ(png_size(folder.path() / "it's.png")[0], 1500);
 
   const DeflectionCurve curve = mean_of_sections(bar.section_x, bar.section_nodes, displacement, 3);
@@ -47,6 +49,18 @@ TEST(Pictures, DeformedBodyAndCurveAreDrawn) {
 
   const auto entries = std::distance(std::filesystem::directory_iterator(folder.path()), {});
   EXPECT_EQ(entries, 3) << "temporary files are left behind";
+}
+
+TEST(Pictures, PrefixesKeepMagnitudesBetweenOneAndAThousand) {
+  for (const auto& [value, symbol] : std::vector<std::pair<double, std::string>>{
+           {1, ""}, {999, ""}, {1000, "k"}, {-4.3e5, "k"}, {2e6, "M"}, {0.008, "m"}, {3e-6, "µ"}}) {
+    const SiPrefix prefix = si_prefix(value);
+    EXPECT_EQ(prefix.symbol, symbol) << value;
+    EXPECT_GE(std::abs(value) * prefix.factor, 1 - 1e-9);
+    EXPECT_LT(std::abs(value) * prefix.factor, 1000);
+  }
+  EXPECT_EQ(si_prefix(0).symbol, "");
+  EXPECT_EQ(si_prefix(1e20).symbol, "T");
 }
 
 TEST(Pictures, WrongCommandsAreReported) {
