@@ -25,6 +25,12 @@ bool SimplicialCholesky::factorize(const Matrix& matrix) {
 
 void SimplicialCholesky::solve(const Vector& b, Vector& x) { x = factor_->solve(b); }
 
+std::optional<int> SimplicialCholesky::negative_pivots(const Matrix& matrix) {
+  const Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor(matrix);
+  if (factor.info() != Eigen::Success) return std::nullopt;
+  return static_cast<int>((factor.vectorD().array() < 0).count());
+}
+
 double SimplicialCholesky::multiplications() const { return factor_->multiplications(); }
 
 struct IncompleteCholesky::Factor

@@ -4,6 +4,7 @@
 #include <Eigen/SparseCore>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "runtime/vector.h"
 
@@ -27,6 +28,11 @@ class CholeskyFactor {
   /// The same with L rounded to single precision, where that is faster: for preconditioning.
   virtual void solve_roughly(const Vector& b, Vector& x) { solve(b, x); }
 
+  /// Negative pivots of L D L^T = A, as many as A has negative eigenvalues (Sylvester's law of
+  /// inertia); none where it cannot be told, as by factorisations that end at such a pivot.
+  /// @param matrix  of the pattern analysed
+  [[nodiscard]] virtual std::optional<int> negative_pivots(const Matrix&) { return std::nullopt; }
+
   /// Whether L has entries where A has none: rows are then ordered so that these are few, else as
   /// the nodes are numbered.
   [[nodiscard]] virtual bool has_fill() const { return true; }
@@ -43,6 +49,7 @@ class SimplicialCholesky final : public CholeskyFactor {
   void analyze(const Matrix& matrix) override;
   [[nodiscard]] bool factorize(const Matrix& matrix) override;
   void solve(const Vector& b, Vector& x) override;
+  [[nodiscard]] std::optional<int> negative_pivots(const Matrix& matrix) override;
 
   /// Of one factorisation, after `analyze`: squares of the columns' lengths, summed.
   [[nodiscard]] double multiplications() const;

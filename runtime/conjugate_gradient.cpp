@@ -7,10 +7,12 @@
 
 namespace elastogen {
 
-ConjugateGradient::ConjugateGradient(Model& model, const Constraints& constraints,
+ConjugateGradient::ConjugateGradient(LinearSolverKind kind, Model& model,
+                                     const Constraints& constraints,
                                      std::unique_ptr<Preconditioner> preconditioner,
                                      int max_iterations)
-    : model_(model),
+    : kind_(kind),
+      model_(model),
       constraints_(constraints),
       max_iterations_(max_iterations),
       preconditioner_(std::move(preconditioner)) {
@@ -63,6 +65,17 @@ double ConjugateGradient::start(const ConstVectorRef& b, double b_norm, VectorRe
   return b_norm;
 }
 
+// Rayleigh quotient of direction_, where it tells something. `curvature` is that of K + A + s D.
+void ConjugateGradient::note_curvature(double curvature, LinearSolveReport& report) const {
+  if (shift_ == 0 && curvature > 0) return;
+  const Vector& d = direction_;
+  const double length = shift_ > 0
+                            ? d.cwiseProduct(scale_).dot(d)
+                            : d.cwiseProduct(shift_scale(preconditioner_->diagonal())).dot(d);
+  const double quotient = curvature / length - shift_;
+  report.lowest_curvature = std::min(quotient, report.lowest_curvature.value_or(quotient));
+}
+
 LinearSolveReport ConjugateGradient::solve(const ConstVectorRef& b, double tolerance, VectorRef x) {
   const double product_before = times_.product;
   double elapsed = 0;
@@ -86,6 +99,7 @@ LinearSolveReport ConjugateGradient::solve(const ConstVectorRef& b, double toler
       multiply();
       const double curvature = dot(direction_, product_, threads);
       ++report.iterations;
+      note_curvature(curvature, report);
       // Written so that a curvature that is not a number counts as bad too.
       if (!(curvature > 0)) {
         report.positive_definite = false;

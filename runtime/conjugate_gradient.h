@@ -10,7 +10,8 @@ namespace elastogen {
 
 class ConjugateGradient final : public LinearSolver {
  public:
-  ConjugateGradient(Model& model, const Constraints& constraints,
+  /// @param kind  what `preconditioner` makes of it
+  ConjugateGradient(LinearSolverKind kind, Model& model, const Constraints& constraints,
                     std::unique_ptr<Preconditioner> preconditioner, int max_iterations);
 
   void update() override;
@@ -19,11 +20,14 @@ class ConjugateGradient final : public LinearSolver {
   void forget() override { preconditioner_->forget(); }
   [[nodiscard]] const Vector& diagonal() const override { return preconditioner_->diagonal(); }
   [[nodiscard]] int factorizations() const override { return preconditioner_->factorizations(); }
+  [[nodiscard]] LinearSolverKind kind() const override { return kind_; }
 
  private:
   void multiply();
+  void note_curvature(double curvature, LinearSolveReport& report) const;
   double start(const ConstVectorRef& b, double b_norm, VectorRef x);
 
+  LinearSolverKind kind_;
   Model& model_;
   const Constraints& constraints_;
   int max_iterations_;

@@ -17,6 +17,8 @@ class ImplicitEuler final : public Integrator {
   ImplicitEuler(Model& model, const Constraints& constraints, const PrescribedMotion& motion,
                 const ConstVectorRef& load, const IntegratorOptions& options, MotionState start);
 
+  [[nodiscard]] LinearSolverKind method() const override { return solver_->kind(); }
+
  private:
   void advance(double time, double h) override;
   [[nodiscard]] bool can_halve() const override { return true; }

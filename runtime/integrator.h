@@ -76,6 +76,8 @@ class Integrator {
   /// Forces of the supports on the body, M a + alpha M v - F - load; 0 where free [N].
   [[nodiscard]] Vector reactions();
 
+  /// What linear systems are solved by: another than was asked for after a fall-back.
+  [[nodiscard]] virtual LinearSolverKind method() const { return options_.linear_solver.kind; }
   [[nodiscard]] std::int64_t linear_iterations() const { return linear_iterations_; }
   [[nodiscard]] std::int64_t force_evaluations() const { return force_evaluations_; }
   [[nodiscard]] std::int64_t halvings() const { return halvings_; }

@@ -5,6 +5,7 @@
 
 #include "runtime/conjugate_gradient.h"
 #include "runtime/earlier_cholesky.h"
+#include "runtime/fall_back_solver.h"
 #include "runtime/node_blocks.h"
 #include "runtime/sparse_cholesky.h"
 
@@ -26,6 +27,9 @@ std::unique_ptr<LinearSolver> make_linear_solver(const LinearSolverOptions& opti
   if (options.kind == LinearSolverKind::cholesky) {
     return std::make_unique<SparseCholesky>(model, constraints, options.cholesky());
   }
+  if (options.fall_back_after > 0 && options.kind != LinearSolverKind::cholesky_cg) {
+    return std::make_unique<FallBackSolver>(options, model, constraints);
+  }
   std::unique_ptr<Preconditioner> preconditioner;
   switch (options.kind) {
     case LinearSolverKind::cholesky_cg:
@@ -38,8 +42,8 @@ std::unique_ptr<LinearSolver> make_linear_solver(const LinearSolverOptions& opti
     default:
       preconditioner = std::make_unique<NodeBlocks>(model, constraints);
   }
-  return std::make_unique<ConjugateGradient>(model, constraints, std::move(preconditioner),
-                                             options.max_iterations);
+  return std::make_unique<ConjugateGradient>(options.kind, model, constraints,
+                                             std::move(preconditioner), options.max_iterations);
 }
 
 Vector shift_scale(const Vector& diagonal) {

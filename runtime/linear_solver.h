@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -38,6 +39,9 @@ enum class LinearSolverKind {
 struct LinearSolverOptions {
   LinearSolverKind kind = LinearSolverKind::conjugate_gradient;
   int max_iterations = 0;  ///< of one conjugate gradient solve; 0: ten per free degree of freedom
+  /// Iterations of one solve after which `conjugate_gradient` and `incomplete_cg` give way to
+  /// `cholesky_cg` for good; 0: never.
+  int fall_back_after = 0;
   MakeCholeskyFactor cholesky = std::make_unique<SimplicialCholesky>;
 };
 
@@ -58,6 +62,10 @@ struct LinearSolveReport {
   bool converged = false;         ///< residual below the tolerance asked for
   int iterations = 0;             ///< of conjugate gradient; 0 for Cholesky
   double relative_residual = 0;   ///< |b - A x| / |b|; conjugate gradient's own recurrence
+  /// An estimate from above of the lowest eigenvalue of (K + A) x = lambda D x: the least
+  /// x.(K + A) x / x.D x among the directions looked at. Only where there was a shift, or where
+  /// curvature was found not to be positive.
+  std::optional<double> lowest_curvature;
 };
 
 /// Seconds spent since construction.
@@ -99,6 +107,9 @@ class LinearSolver {
 
   /// Sparse factorisations so far.
   [[nodiscard]] virtual int factorizations() const { return 0; }
+
+  /// What it solves by now: another than it was made for after a fall-back.
+  [[nodiscard]] virtual LinearSolverKind kind() const = 0;
 
   [[nodiscard]] const LinearSolverTimes& times() const { return times_; }
 

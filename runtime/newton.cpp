@@ -3,22 +3,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "runtime/error.h"
+#include "runtime/stability.h"
 #include "runtime/stopwatch.h"
+#include "runtime/tangent_shift.h"
 #include "runtime/total_potential.h"
 
 namespace elastogen {
 namespace {
 
-constexpr double first_shift = 1e-4;   // smaller shifts hardly change the tangent
-constexpr double largest_shift = 1e4;  // beyond, steps are too small to be of use
-constexpr double shift_factor = 10;
-constexpr double loosest_forcing = 0.1;
+// Of linear systems. With a factor ten times the precision costs a few iterations, and slender
+// bodies need a seventh fewer tangents for it.
+constexpr double loosest_forcing_without_factor = 0.1;
+constexpr double loosest_forcing_with_factor = 0.01;
 constexpr double forcing_factor = 0.9;  // gamma of Eisenstat & Walker, choice 2
+// A residual within rounding falls no further once so many iterations have not halved it.
+constexpr int fruitless_iterations = 2;
+// A last step by less of |u| than this leaves the tangent's inertia as it was.
+constexpr double small_move = 1e-3;
 
 void check_options(const NewtonOptions& options) {
   if (!(options.tolerance > 0 && options.tolerance < 1)) {
@@ -33,6 +40,14 @@ void check_options(const NewtonOptions& options) {
   }
 }
 
+LinearSolverOptions solver_options(LinearSolverOptions options, bool fell_back) {
+  if (fell_back) {
+    options.kind = LinearSolverKind::cholesky_cg;
+    options.fall_back_after = 0;
+  }
+  return options;
+}
+
 // `moved`: one Newton step was taken. `failed` may go better with a smaller load step, `stopped`
 // may not.
 enum class StepOutcome { moved, converged, failed, stopped, interrupted };
@@ -40,13 +55,14 @@ enum class StepOutcome { moved, converged, failed, stopped, interrupted };
 class StaticSolver {
  public:
   StaticSolver(Model& model, const Constraints& constraints, const PrescribedMotion& motion,
-               const ConstVectorRef& load, const NewtonOptions& options)
+               const ConstVectorRef& load, const NewtonOptions& options, bool fell_back)
       : model_(model),
         constraints_(constraints),
         motion_(motion),
         options_(options),
         potential_(model, constraints, load),
-        solver_(make_linear_solver(options.linear_solver, model, constraints)),
+        solver_(make_linear_solver(solver_options(options.linear_solver, fell_back), model,
+                                   constraints)),
         has_load_(load.squaredNorm() > 0) {}
 
   void run(LoadState& state);
@@ -58,9 +74,12 @@ class StaticSolver {
   StepOutcome solve_load_step(double factor);
   void linearize(TangentForm form);
   bool make_definite();
+  bool is_exact() const { return shift_.value() == 0 && form_ == TangentForm::exact; }
   bool find_direction(double forcing, bool has_gap);
   StepOutcome take_step(double factor, bool has_gap);
-  bool grow_shift();
+  bool residual_stopped_falling();
+  void judge_stability();
+  double loosest_forcing() const;
   double forcing_term(double threshold);
   double reference() const;
   double rounding() const;
@@ -79,9 +98,12 @@ class StaticSolver {
   double start_residual_ = 0;
   double previous_residual_ = 0;  // of the Newton iteration before, 0 if there is none
   double previous_forcing_ = 0;
+  double least_residual_ = 0;  // of the load step, where it was last halved
+  int fruitless_ = 0;          // iterations since then
   TangentForm form_ = TangentForm::exact;
-  double shift_ = 0;
+  TangentShift shift_;
   double step_ = 1;
+  double definite_within_ = -1;  // distance to a state whose tangent was factorised, or -1
   std::string reason_;
   NewtonResult result_;
 };
@@ -98,23 +120,41 @@ double StaticSolver::reference() const {
   return has_load_ || !motion_.empty() ? largest : std::max(largest, start_residual_);
 }
 
+// What rounding of u does to |r|.
 double StaticSolver::rounding() const {
-  return 4 * std::numeric_limits<double>::epsilon() *
-         solver_->diagonal().cwiseProduct(state_.u).norm();
+  return 4 * model_.epsilon() * solver_->diagonal().cwiseProduct(state_.u).norm();
+}
+
+// Within rounding iterations refine the solution of the linear systems, whose errors in slender
+// bodies are a million times those of the residual.
+bool StaticSolver::residual_stopped_falling() {
+  if (state_.residual_norm <= 0.5 * least_residual_) {
+    least_residual_ = state_.residual_norm;
+    fruitless_ = 0;
+    return false;
+  }
+  ++fruitless_;
+  return fruitless_ >= fruitless_iterations && state_.residual_norm <= rounding();
+}
+
+double StaticSolver::loosest_forcing() const {
+  return keeps_factors(solver_->kind()) ? loosest_forcing_with_factor
+                                        : loosest_forcing_without_factor;
 }
 
 // Choice 2 of Eisenstat & Walker with their safeguards; never tighter than the end asks for.
 double StaticSolver::forcing_term(double threshold) {
-  double forcing = loosest_forcing;
+  const double loosest = loosest_forcing();
+  double forcing = loosest;
   if (previous_residual_ > 0) {
     const double ratio = state_.residual_norm / previous_residual_;
     forcing = forcing_factor * ratio * ratio;
     const double safeguard = forcing_factor * previous_forcing_ * previous_forcing_;
     if (safeguard > 0.1) forcing = std::max(forcing, safeguard);
   }
-  forcing = std::min(forcing, loosest_forcing);
+  forcing = std::min(forcing, loosest);
   if (state_.residual_norm > 0) {
-    forcing = std::max(forcing, std::min(loosest_forcing, 0.5 * threshold / state_.residual_norm));
+    forcing = std::max(forcing, std::min(loosest, 0.5 * threshold / state_.residual_norm));
   }
   previous_forcing_ = forcing;
   previous_residual_ = state_.residual_norm;
@@ -137,12 +177,7 @@ bool StaticSolver::make_definite() {
     linearize(TangentForm::semidefinite);
     return true;
   }
-  return grow_shift();
-}
-
-bool StaticSolver::grow_shift() {
-  shift_ = std::max(first_shift, shift_ * shift_factor);
-  if (shift_ <= largest_shift) return true;
+  if (shift_.grow()) return true;
   reason_ = "the tangent is not positive definite even with the largest diagonal shift";
   return false;
 }
@@ -155,12 +190,16 @@ bool StaticSolver::find_direction(double forcing, bool has_gap) {
       model_.product(gap_, 1, right_side_);
       constraints_.project(right_side_);
     }
-    if (solver_->set_shift(shift_)) {
+    if (solver_->set_shift(shift_.value())) {
       direction_.setZero();
       const LinearSolveReport report = solver_->solve(right_side_, forcing, direction_);
       result_.linear_iterations += report.iterations;
+      shift_.note(report.lowest_curvature);
       const bool descends = has_gap || dot(state_.residual, direction_, model_.num_threads()) > 0;
-      if (report.positive_definite && descends) return true;
+      if (report.positive_definite && descends) {
+        if (!shift_.refine()) return true;
+        continue;
+      }
     }
     if (!make_definite()) return false;
   }
@@ -182,18 +221,18 @@ StepOutcome StaticSolver::take_step(double factor, bool has_gap) {
     return StepOutcome::moved;
   }
   while (true) {
-    const bool is_exact = shift_ == 0 && form_ == TangentForm::exact;
-    switch (potential_.search(state_, direction_, is_exact, trial_, step_)) {
+    switch (potential_.search(state_, direction_, is_exact(), trial_, step_)) {
       case LineSearchOutcome::accepted:
         std::swap(state_, trial_);
         return StepOutcome::moved;
       case LineSearchOutcome::at_rounding:
+        if (state_.residual_norm <= rounding()) return StepOutcome::converged;
         reason_ =
             fmt::format("rounding errors keep the residual at {:.3g} N; ask for a larger tolerance",
                         state_.residual_norm);
         return StepOutcome::stopped;
       case LineSearchOutcome::failed:
-        if (!make_definite() || !find_direction(loosest_forcing, false)) {
+        if (!make_definite() || !find_direction(loosest_forcing(), false)) {
           reason_ = "the line search found no smaller potential along any direction tried";
           return StepOutcome::failed;
         }
@@ -212,7 +251,7 @@ bool StaticSolver::report(double factor, double step, int linear_iterations) {
   progress.relative_residual = scale > 0 ? state_.residual_norm / scale : 0;
   progress.potential = state_.potential;
   progress.step = step;
-  progress.shift = shift_;
+  progress.shift = shift_.value();
   progress.projected = form_ == TangentForm::semidefinite;
   progress.linear_iterations = linear_iterations;
   return options_.on_iteration(progress);
@@ -235,31 +274,41 @@ StepOutcome StaticSolver::solve_load_step(double factor) {
   evaluate_start(factor);
   start_residual_ = state_.residual_norm;
   previous_residual_ = 0;
+  least_residual_ = std::numeric_limits<double>::infinity();
+  fruitless_ = 0;
   form_ = TangentForm::exact;
-  shift_ = 0;
+  shift_.restart();
+  definite_within_ = -1;
+  const int first_iteration = result_.iterations;
   if (result_.iterations == 0 && !report(factor, 0, 0)) {
     reason_ = "it was interrupted";
     return StepOutcome::interrupted;
   }
 
   for (bool has_tangent = false;; has_tangent = true) {
-    // Before the first tangent D is unknown: no allowance for rounding then.
-    const double threshold = options_.tolerance * reference() + (has_tangent ? rounding() : 0.0);
+    const double threshold = options_.tolerance * reference();
     if (!has_gap && state_.residual_norm <= threshold) return StepOutcome::converged;
-    if (result_.iterations == options_.max_iterations) {
-      reason_ =
-          fmt::format("the limit of {} Newton iterations was reached", options_.max_iterations);
+    // Before the first tangent D is unknown, and with it what rounding does.
+    if (has_tangent && residual_stopped_falling()) return StepOutcome::converged;
+    if (result_.iterations - first_iteration == options_.max_iterations) {
+      reason_ = fmt::format(
+          "the limit of {} Newton iterations per load step was reached on the way to load factor "
+          "{:.4g}",
+          options_.max_iterations, factor);
       return StepOutcome::stopped;
     }
     ++result_.iterations;
     linearize(options_.projection == TangentProjection::always ? TangentForm::semidefinite
                                                                : TangentForm::exact);
-    shift_ = shift_ > first_shift ? shift_ / shift_factor : 0;
+    shift_.take_next_tangent();
     const int iterations_before = result_.linear_iterations;
     if (!find_direction(forcing_term(threshold), has_gap)) return StepOutcome::failed;
     const StepOutcome outcome = take_step(factor, has_gap);
     if (outcome != StepOutcome::moved) return outcome;
     has_gap = false;
+    // By a factor of this very tangent; one without shift that has failed is another's.
+    const bool is_factorized = solver_->kind() == LinearSolverKind::cholesky && is_exact();
+    definite_within_ = is_factorized ? step_ * direction_.norm() : -1;
     if (!report(factor, step_, result_.linear_iterations - iterations_before)) {
       reason_ = "it was interrupted";
       return StepOutcome::interrupted;
@@ -281,6 +330,7 @@ void StaticSolver::run(LoadState& state) {
     const double factor = next > 1 - 1e-9 ? 1 : next;
     const StepOutcome outcome = solve_load_step(factor);
     state.iterations = result_.iterations;
+    state.fell_back = solver_->kind() != options_.linear_solver.kind;
     if (outcome == StepOutcome::converged) {
       state.u = state_.u;
       state.load_factor = factor;
@@ -297,10 +347,31 @@ void StaticSolver::run(LoadState& state) {
       break;
     }
   }
-  if (state.load_factor == 1) result_.status = NewtonStatus::converged;
+  if (state.load_factor == 1) {
+    const bool met = state_.residual_norm <= options_.tolerance * reference();
+    result_.status = met ? NewtonStatus::converged : NewtonStatus::converged_to_rounding;
+    judge_stability();
+  }
   result_.load_factor = state.load_factor;
   result_.load_steps = state.load_steps;
   state.u = state_.u;
+}
+
+void StaticSolver::judge_stability() {
+  if (definite_within_ >= 0 && definite_within_ <= small_move * state_.u.norm()) {
+    result_.stability = Stability::stable;
+    return;
+  }
+  {
+    const Stopwatch watch(result_.times.linearization);
+    model_.linearize(state_.u);
+  }
+  const StabilityReport report =
+      check_stability(*solver_, model_, constraints_, options_.linear_solver.cholesky,
+                      options_.factorize_for_stability);
+  result_.stability = report.stability;
+  result_.negative_eigenvalues = report.negative_eigenvalues;
+  result_.factorizations += report.factorizations;
 }
 
 NewtonResult StaticSolver::result() {
@@ -314,7 +385,8 @@ NewtonResult StaticSolver::result() {
   result_.reactions = -(potential_.load() + state_.forces);
   constraints_.project_constrained(result_.reactions);
   const LinearSolverTimes& times = solver_->times();
-  result_.factorizations = solver_->factorizations();
+  result_.factorizations += solver_->factorizations();
+  result_.method = solver_->kind();
   result_.times.forces = potential_.seconds();
   result_.times.linearization += times.assembly + times.product;
   result_.times.solve = times.factorization + times.solve;
@@ -322,6 +394,17 @@ NewtonResult StaticSolver::result() {
 }
 
 }  // namespace
+
+std::string_view status_name(NewtonStatus status) {
+  constexpr std::array<std::string_view, 4> names = {"converged", "converged to rounding",
+                                                     "not converged", "interrupted"};
+  return names[static_cast<std::size_t>(status)];
+}
+
+std::string_view stability_name(Stability stability) {
+  constexpr std::array<std::string_view, 3> names = {"stable", "unstable", "not checked"};
+  return names[static_cast<std::size_t>(stability)];
+}
 
 NewtonResult solve_static(Model& model, const Constraints& constraints,
                           const PrescribedMotion& motion, const ConstVectorRef& load,
@@ -339,7 +422,7 @@ NewtonResult solve_static(Model& model, const Constraints& constraints,
         "static solve: nothing is fixed, so the body can move freely; constrain some nodes");
   }
   if (!load.allFinite()) throw InputError("static solve: the load is not finite");
-  StaticSolver solver(model, constraints, motion, load, options);
+  StaticSolver solver(model, constraints, motion, load, options, state.fell_back);
   solver.run(state);
   return solver.result();
 }

@@ -1,6 +1,7 @@
 #include "runtime/sparse_cholesky.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -8,6 +9,12 @@
 #include "runtime/stopwatch.h"
 
 namespace elastogen {
+namespace {
+
+constexpr int inverse_iterations = 3;
+
+}  // namespace
+
 SparseCholesky::SparseCholesky(Model& model, const Constraints& constraints,
                                std::unique_ptr<CholeskyFactor> factor)
     : model_(model),
@@ -99,6 +106,7 @@ bool SparseCholesky::set_shift(double shift) {
       free_matrix_.valuePtr()[value] += added[static_cast<Eigen::Index>(dof)];
     }
   }
+  shift_ = shift;
   ++factorizations_;
   return factor_->factorize(free_matrix_);
 }
@@ -125,7 +133,25 @@ LinearSolveReport SparseCholesky::solve(const ConstVectorRef& b, double, VectorR
   // A pivot that is not a number passes Eigen's test of its sign, but not this one.
   report.positive_definite = free_x_.allFinite();
   report.converged = report.positive_definite;
+  if (shift_ > 0 && report.positive_definite) report.lowest_curvature = lowest_curvature();
   return report;
+}
+
+// By inverse iteration with the factor of K + A + s D, from the mode found last, else from the
+// solution in free_x_, where modes that are hardly stiff prevail.
+double SparseCholesky::lowest_curvature() {
+  take_free(shift_scale(diagonal_));
+  const Vector scale = free_b_;
+  if (mode_.size() == 0) mode_ = free_x_;
+  double quotient = 0;
+  for (int iteration = 0; iteration < inverse_iterations; ++iteration) {
+    free_b_ = scale.cwiseProduct(mode_);
+    factor_->solve(free_b_, mode_);
+    const double length = mode_.dot(scale.cwiseProduct(mode_));
+    quotient = mode_.dot(free_b_) / length - shift_;
+    mode_ /= std::sqrt(length);
+  }
+  return quotient;
 }
 
 void SparseCholesky::solve_roughly(const ConstVectorRef& b, VectorRef x) {

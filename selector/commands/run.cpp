@@ -16,6 +16,7 @@
 #include "selector/scene/interrupt.h"
 #include "selector/scene/located_error.h"
 #include "selector/scene/model_warnings.h"
+#include "selector/scene/solver_warnings.h"
 #include "selector/scene/static_run.h"
 #include "selector/scene/summary.h"
 #include "selector/scene/write_results.h"
@@ -157,7 +158,8 @@ void check_fingerprint(const std::string& fingerprint, const Checkpoint& checkpo
 }
 
 /// Why a resumed run may not come to the same bits as one that was not interrupted.
-std::vector<std::string> resume_warnings(const Scene& scene, const Checkpoint& start, int threads) {
+std::vector<std::string> resume_warnings(const Scene& scene, const Problem& problem,
+                                         const Checkpoint& start, int threads) {
   std::vector<std::string> warnings;
   if (start.threads != threads) {
     warnings.push_back(fmt::format(
@@ -165,11 +167,11 @@ std::vector<std::string> resume_warnings(const Scene& scene, const Checkpoint& s
         "run that was not interrupted",
         start.threads, threads));
   }
-  if (scene.dynamics && keeps_factors(scene.solver.method)) {
+  if (scene.dynamics && keeps_factors(problem.solver.kind)) {
     warnings.push_back(fmt::format(
         "the factor that '{}' had is not kept: from here results agree with those of a run that "
         "was not interrupted to the linear tolerance, not to the last bit",
-        solver_name(scene.solver.method)));
+        solver_name(problem.solver.kind)));
   }
   if (scene.skip.sleep.motion > 0) {
     warnings.emplace_back(
@@ -210,7 +212,7 @@ int report_end(const RunSummary& summary) {
     tell(summary.motion->reason);
     return 1;
   }
-  if (summary.newton && summary.newton->status != NewtonStatus::converged) {
+  if (summary.newton && !in_equilibrium(summary.newton->status)) {
     tell("no equilibrium: " + summary.newton->reason);
     return 1;
   }
@@ -239,7 +241,7 @@ int run(const RunOptions& options, const Context& context) {
   summary.times.mesh = watch.lap();
 
   const SceneKernels kernels =
-      load_kernels(problem, operations_of(scene, problem, scene.solver.tangent),
+      load_kernels(problem, operations_of(scene, problem, tangent_product_of(scene, problem)),
                    scene.solver.precision, context);
   for (const LoadedKernels& loaded : kernels.loaded) {
     const KernelBuildReport& report = loaded.report();
@@ -273,7 +275,7 @@ int run(const RunOptions& options, const Context& context) {
     check_fingerprint(recorder.fingerprint(), *start, summary.folder);
     summary.resumed_from = start->position(time_step);
     context.tell(fmt::format("resuming from step {}", summary.resumed_from->step));
-    for (const std::string& warning : resume_warnings(scene, *start, summary.threads)) {
+    for (const std::string& warning : resume_warnings(scene, problem, *start, summary.threads)) {
       summary.warnings.push_back(warning);
       warn(warning);
     }
@@ -283,6 +285,11 @@ int run(const RunOptions& options, const Context& context) {
     recorder.start();
   }
   summary.times.setup = watch.lap();
+  const bool has_systems = !summary.plan || !summary.plan->critical_step;
+  if (has_systems && !scene.solver.method) {
+    context.tell(
+        fmt::format("solver: {}, {}", solver_name(problem.solver.kind), problem.solver.reason));
+  }
   context.tell(fmt::format("setup: grouped constants of {} elements in {:.2f} s, {} threads",
                            model.num_elements(), summary.times.setup, summary.threads));
 
@@ -297,6 +304,9 @@ int run(const RunOptions& options, const Context& context) {
   summary.problem = &problem;
   summary.results = &results;
   const std::size_t warned = summary.warnings.size();
+  for (std::string& warning : solver_warnings(summary)) {
+    summary.warnings.push_back(std::move(warning));
+  }
   write_results(summary, recorder, fields);
   for (std::size_t i = warned; i < summary.warnings.size(); ++i) warn(summary.warnings[i]);
   summary.times.output = watch.lap();

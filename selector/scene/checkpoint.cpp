@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int format_version = 2;
+constexpr int format_version = 3;
 
 Json bytes_of(const Vector& vector) {
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(vector.size()) * sizeof(double));
@@ -43,16 +43,14 @@ MotionState motion_of(const Json& json) {
 }
 
 Json to_json(const LoadState& state) {
-  return {{"u", bytes_of(state.u)},
-          {"load_factor", state.load_factor},
-          {"increment", state.increment},
-          {"load_steps", state.load_steps},
-          {"iterations", state.iterations}};
+  return {{"u", bytes_of(state.u)},         {"load_factor", state.load_factor},
+          {"increment", state.increment},   {"load_steps", state.load_steps},
+          {"iterations", state.iterations}, {"fell_back", state.fell_back}};
 }
 
 LoadState load_of(const Json& json) {
   return {vector_of(json.at("u")), json.at("load_factor"), json.at("increment"),
-          json.at("load_steps"), json.at("iterations")};
+          json.at("load_steps"),   json.at("iterations"),  json.at("fell_back")};
 }
 
 Checkpoint from_json(const Json& json) {

@@ -17,10 +17,10 @@ std::string_view bytes_of(const Number* numbers, std::size_t count) {
 }
 
 /// Settings of the steps; a number's shortest text that reads back as itself stands for it.
-std::string settings_text(const Scene& scene, double time_step) {
+std::string settings_text(const Scene& scene, LinearSolverKind solver, double time_step) {
   const std::string method =
-      fmt::format("{} {} {} {}", precision_name(scene.solver.precision),
-                  solver_name(scene.solver.method), tangent_product_name(scene.solver.tangent),
+      fmt::format("{} {} {} {}", precision_name(scene.solver.precision), solver_name(solver),
+                  tangent_product_name(scene.solver.tangent),
                   scene.solver.projection ? projection_name(*scene.solver.projection) : "default");
   if (!scene.dynamics) {
     return fmt::format("static {} {} {}", method, scene.solver.tolerance, scene.solver.load_steps);
@@ -39,7 +39,7 @@ std::string run_fingerprint(const Scene& scene, const Problem& problem,
                             std::span<const BlockKernels> kernels, const Vector& load,
                             double time_step) {
   const Mesh& mesh = problem.mesh.mesh;
-  const std::string settings = settings_text(scene, time_step);
+  const std::string settings = settings_text(scene, problem.solver.kind, time_step);
   std::vector<std::string_view> parts = {
       settings, bytes_of(mesh.positions.data(), mesh.positions.size()),
       bytes_of(load.data(), static_cast<std::size_t>(load.size()))};

@@ -91,7 +91,8 @@ class RestWatch {
 MotionPlan plan_motion(const Scene& scene, const Problem& problem, Model& model) {
   const DynamicsDescription& dynamics = *scene.dynamics;
   MotionPlan plan{dynamics.options, 0, {}};
-  plan.options.linear_solver.kind = scene.solver.method;
+  plan.options.linear_solver.kind = problem.solver.kind;
+  plan.options.linear_solver.fall_back_after = problem.solver.fall_back_after;
   plan.options.linear_solver.cholesky = make_best_cholesky;
   if (scene.solver.projection) plan.options.projection = *scene.solver.projection;
   plan.options.step = dynamics.step.value_or(0);
@@ -182,6 +183,7 @@ MotionResult run_motion(const Scene& scene, const Problem& problem, Model& model
   end = state_of(*integrator);
   result.steps = integrator->state().step;
   result.time = integrator->time();
+  result.method = integrator->method();
   result.linear_iterations = integrator->linear_iterations();
   result.force_evaluations = integrator->force_evaluations();
   result.halvings = integrator->halvings();

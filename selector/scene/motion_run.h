@@ -35,9 +35,10 @@ enum class MotionStatus { at_rest, end_of_time, interrupted, failed };
 
 struct MotionResult {
   MotionStatus status = MotionStatus::end_of_time;
-  std::string reason;                  ///< one sentence when failed
-  std::int64_t steps = 0;              ///< complete since time 0
-  double time = 0;                     ///< that of the last complete step [s]
+  std::string reason;      ///< one sentence when failed
+  std::int64_t steps = 0;  ///< complete since time 0
+  double time = 0;         ///< that of the last complete step [s]
+  LinearSolverKind method = LinearSolverKind::conjugate_gradient;  ///< of the last step
   std::int64_t linear_iterations = 0;  ///< of this run of the program; so are those below
   std::int64_t force_evaluations = 0;
   std::int64_t halvings = 0;

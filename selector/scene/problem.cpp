@@ -230,6 +230,19 @@ std::optional<std::vector<double>> read_reference_displacement(const Scene& scen
   });
 }
 
+SolverChoice choose_solver(const Scene& scene, const Mesh& mesh) {
+  if (scene.dynamics && is_explicit(scene.dynamics->options.scheme)) return {};
+  SolverChoice choice = choose_linear_solver(
+      mesh, scene.dynamics ? SolverTask::implicit_step : SolverTask::equilibrium,
+      memory_for_factor());
+  if (scene.solver.method) {
+    choice.kind = *scene.solver.method;
+    choice.reason = "the scene says so";
+    choice.fall_back_after = 0;
+  }
+  return choice;
+}
+
 }  // namespace
 
 Problem prepare(const Scene& scene, const std::vector<std::filesystem::path>& law_folders) {
@@ -246,12 +259,12 @@ Problem prepare(const Scene& scene, const std::vector<std::filesystem::path>& la
   for (const ProbeDescription& probe : scene.probes) {
     probes.push_back({probe.name, select_nodes(mesh, probe.nodes)});
   }
+  SolverChoice solver = choose_solver(scene, mesh.mesh);
   std::optional<DeflectionCurve> reference = read_reference(scene, mesh);
   std::optional<std::vector<double>> displacement = read_reference_displacement(scene, mesh.mesh);
-  return {std::move(mesh),          std::move(laws),   std::move(materials),
-          std::move(constraints),   std::move(motion), std::move(forces),
-          std::move(surface_loads), std::move(probes), std::move(reference),
-          std::move(displacement)};
+  return {std::move(mesh),   std::move(laws),      std::move(materials),     std::move(constraints),
+          std::move(motion), std::move(forces),    std::move(surface_loads), std::move(probes),
+          std::move(solver), std::move(reference), std::move(displacement)};
 }
 
 }  // namespace elastogen::selector

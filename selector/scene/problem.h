@@ -11,6 +11,7 @@
 
 #include "runtime/constraints.h"
 #include "runtime/prescribed_motion.h"
+#include "runtime/solver_choice.h"
 #include "selector/io/deflection_curve.h"
 #include "selector/scene/scene.h"
 #include "selector/scene/scene_mesh.h"
@@ -47,7 +48,8 @@ struct Problem {
   std::vector<NodalForce> forces;
   std::vector<SurfaceLoad> surface_loads;
   std::vector<Probe> probes;
-  std::optional<DeflectionCurve> reference;                   ///< at most one of the two
+  SolverChoice solver;                       ///< what the scene says, else what suits the mesh
+  std::optional<DeflectionCurve> reference;  ///< at most one of the two
   std::optional<std::vector<double>> reference_displacement;  ///< [dim * node + component], m
 };
 

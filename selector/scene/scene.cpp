@@ -213,9 +213,13 @@ SolverSettings read_solver(const TomlTable& table,
   }
   SolverSettings solver;
   if (table.has("method")) {
-    solver.method = choose(table, "method", solver_name,
-                           {LinearSolverKind::conjugate_gradient, LinearSolverKind::cholesky,
-                            LinearSolverKind::cholesky_cg, LinearSolverKind::incomplete_cg});
+    const std::string method =
+        table.choice("method", {"auto", "cg", "cholesky", "cholesky_cg", "incomplete_cg"});
+    if (method != "auto") {
+      solver.method = choose(table, "method", solver_name,
+                             {LinearSolverKind::conjugate_gradient, LinearSolverKind::cholesky,
+                              LinearSolverKind::cholesky_cg, LinearSolverKind::incomplete_cg});
+    }
   }
   const bool has_products = has_tangent && solver.method != LinearSolverKind::cholesky;
   if (!has_products) solver.tangent = TangentProduct::recompute;

@@ -99,7 +99,8 @@ struct ProbeDescription {
 };
 
 struct SolverSettings {
-  LinearSolverKind method = LinearSolverKind::conjugate_gradient;
+  /// None: chosen for the mesh, Problem::solver.
+  std::optional<LinearSolverKind> method;
   std::optional<TangentProjection> projection;  ///< none: the default of statics or dynamics
   Precision precision = Precision::double_precision;
   TangentProduct tangent = TangentProduct::automatic;  ///< recompute where nothing iterates

@@ -28,6 +28,12 @@ double products_per_tangent(LinearSolverKind method) {
 
 }  // namespace
 
+TangentProduct tangent_product_of(const Scene& scene, const Problem& problem) {
+  // Where nothing iterates.
+  if (problem.solver.kind == LinearSolverKind::cholesky) return TangentProduct::recompute;
+  return scene.solver.tangent;
+}
+
 std::vector<std::string> operations_of(const Scene& scene, const Problem& problem,
                                        TangentProduct tangent) {
   const std::vector<std::string> products = product_operations(tangent);
@@ -49,7 +55,7 @@ std::vector<std::string> operations_of(const Scene& scene, const Problem& proble
   // nodes have to move, a solve starts from the linear answer to that, which takes products.
   std::vector<std::string> operations = {"energy", "forces"};
   const bool has_gap = !problem.motion.empty() || scene.start != Start::rest;
-  if (scene.solver.method != LinearSolverKind::cholesky || has_gap) {
+  if (problem.solver.kind != LinearSolverKind::cholesky || has_gap) {
     operations.insert(operations.end(), products.begin(), products.end());
   }
   operations.emplace_back("stiffness");
@@ -87,8 +93,8 @@ Model make_model(const Scene& scene, const Problem& problem, std::span<const Mod
   ModelOptions options;
   options.threads = threads;
   options.precision = scene.solver.precision;
-  options.tangent_product = scene.solver.tangent;
-  options.products_per_tangent = products_per_tangent(scene.solver.method);
+  options.tangent_product = tangent_product_of(scene, problem);
+  options.products_per_tangent = products_per_tangent(problem.solver.kind);
   options.share_constants = scene.skip.congruent;
   if (scene.skip.at_rest) options.held_nodes = problem.motion.held_nodes();
   options.sleep = scene.skip.sleep;

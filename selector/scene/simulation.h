@@ -21,6 +21,9 @@ struct BlockKernels {
   const KernelTable<float>* in_single = nullptr;
 };
 
+/// How products with the tangent shall be computed.
+[[nodiscard]] TangentProduct tangent_product_of(const Scene& scene, const Problem& problem);
+
 /// Operations that a scene's run calls; kernels need no others.
 /// @param tangent  how products are computed; automatic: whatever may be chosen
 [[nodiscard]] std::vector<std::string> operations_of(const Scene& scene, const Problem& problem,

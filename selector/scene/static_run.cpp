@@ -20,9 +20,11 @@ std::string progress_line(const NewtonProgress& progress) {
   return line;
 }
 
-NewtonOptions newton_options(const SolverSettings& solver) {
+NewtonOptions newton_options(const SolverSettings& solver, const SolverChoice& choice) {
   NewtonOptions options;
-  options.linear_solver.kind = solver.method;
+  options.linear_solver.kind = choice.kind;
+  options.linear_solver.fall_back_after = choice.fall_back_after;
+  options.factorize_for_stability = choice.factorize_for_stability;
   options.linear_solver.cholesky = make_best_cholesky;
   if (solver.projection) options.projection = *solver.projection;
   options.tolerance = solver.tolerance;
@@ -63,7 +65,7 @@ NewtonResult run_static(const Scene& scene, const Problem& problem, Model& model
     state.u = start_displacement(problem.mesh.mesh, scene.start);
     record(state);
   }
-  NewtonOptions options = newton_options(scene.solver);
+  NewtonOptions options = newton_options(scene.solver, problem.solver);
   options.on_load_step = record;
   options.on_iteration = [&](const NewtonProgress& progress) {
     hooks.tell(progress_line(progress));

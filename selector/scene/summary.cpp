@@ -14,18 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* status_name(NewtonStatus status) {
-  switch (status) {
-    case NewtonStatus::converged:
-      return "converged";
-    case NewtonStatus::interrupted:
-      return "interrupted";
-    case NewtonStatus::not_converged:
-      break;
-  }
-  return "not converged";
-}
-
 const char* status_name(MotionStatus status) {
   switch (status) {
     case MotionStatus::at_rest:
@@ -92,10 +80,18 @@ Json associations_json(const RunSummary& summary) {
   return list;
 }
 
+/// Why this method: chosen, said by the scene, or fallen back to.
+std::string method_reason(const RunSummary& summary, LinearSolverKind method) {
+  const SolverChoice& choice = summary.problem->solver;
+  if (method == choice.kind) return choice.reason;
+  return fmt::format("{} got nowhere, though chosen: {}", solver_name(choice.kind), choice.reason);
+}
+
 Json newton_json(const RunSummary& summary) {
   const NewtonResult& newton = *summary.newton;
   Json entry = {{"status", status_name(newton.status)},
-                {"method", solver_name(summary.scene->solver.method)},
+                {"method", solver_name(newton.method)},
+                {"method_reason", method_reason(summary, newton.method)},
                 {"tangent", tangent_product_name(summary.tangent)},
                 {"precision", precision_name(summary.scene->solver.precision)},
                 {"newton_iterations", newton.iterations},
@@ -106,8 +102,11 @@ Json newton_json(const RunSummary& summary) {
                 {"load_factor", newton.load_factor},
                 {"residual", newton.residual},
                 {"relative_residual", newton.relative_residual},
+                {"tolerance", summary.scene->solver.tolerance},
+                {"stability", stability_name(newton.stability)},
                 {"energy", newton.energy},
                 {"threads", summary.threads}};
+  if (newton.negative_eigenvalues) entry["negative_eigenvalues"] = *newton.negative_eigenvalues;
   if (!newton.reason.empty()) entry["reason"] = newton.reason;
   return entry;
 }
@@ -129,7 +128,8 @@ Json motion_json(const RunSummary& summary) {
   if (plan.critical_step) {
     entry["critical_step"] = *plan.critical_step;
   } else {
-    entry["method"] = solver_name(summary.scene->solver.method);
+    entry["method"] = solver_name(motion.method);
+    entry["method_reason"] = method_reason(summary, motion.method);
     entry["tangent"] = tangent_product_name(summary.tangent);
     entry["cg_iterations"] = motion.linear_iterations;
     entry["halved_steps"] = motion.halvings;
@@ -319,9 +319,9 @@ std::string results_text(const RunSummary& summary) {
 
 std::string newton_text(const RunSummary& summary) {
   const NewtonResult& newton = *summary.newton;
-  std::string text = fmt::format("  solver              {}: {}, {} Newton iterations, ",
-                                 solver_name(summary.scene->solver.method),
-                                 status_name(newton.status), newton.iterations);
+  std::string text =
+      fmt::format("  solver              {}: {}, {} Newton iterations, ",
+                  solver_name(newton.method), status_name(newton.status), newton.iterations);
   std::vector<std::string> counts;
   if (newton.linear_iterations > 0 || newton.factorizations == 0) {
     counts.push_back(fmt::format("{} CG iterations ({} products)", newton.linear_iterations,
@@ -333,7 +333,13 @@ std::string newton_text(const RunSummary& summary) {
   text += join(counts, ", ");
   if (newton.projections > 0) text += fmt::format(", {} projections", newton.projections);
   if (newton.load_steps > 1) text += fmt::format(", {} load steps", newton.load_steps);
-  return text + "\n";
+  text += fmt::format("\n                      {}: {}\n", solver_name(newton.method),
+                      method_reason(summary, newton.method));
+  if (in_equilibrium(newton.status)) {
+    text +=
+        fmt::format("                      equilibrium: {}\n", stability_name(newton.stability));
+  }
+  return text;
 }
 
 std::string motion_text(const RunSummary& summary) {
@@ -350,7 +356,7 @@ std::string motion_text(const RunSummary& summary) {
     text += fmt::format("critical step {:.4g} s", *plan.critical_step);
   } else {
     text += fmt::format("{}, {:.1f} CG iterations per step ({} products), {} steps halved",
-                        solver_name(summary.scene->solver.method),
+                        solver_name(motion.method),
                         static_cast<double>(motion.linear_iterations) / made,
                         tangent_product_name(summary.tangent), motion.halvings);
   }

@@ -167,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownMethod",
                 "[bar]",
                 "[solver]\nmethod = \"cholesk\"\n[bar]",
-                {"solver.method = 'cholesk': must be one of: cg, cholesky",
+                {"solver.method = 'cholesk': must be one of: auto, cg, cholesky",
                  "did you mean 'cholesky'?"}},
         Mistake{"UnknownTangent",
                 "[bar]",
