@@ -307,6 +307,12 @@ int run(const RunOptions& options, const Context& context) {
   for (std::string& warning : solver_warnings(summary)) {
     summary.warnings.push_back(std::move(warning));
   }
+  if (needs_stress(scene)) {
+    for (std::string& warning :
+         deformation_warnings(problem, fields.points_at(results.state.displacement))) {
+      summary.warnings.push_back(std::move(warning));
+    }
+  }
   write_results(summary, recorder, fields);
   for (std::size_t i = warned; i < summary.warnings.size(); ++i) warn(summary.warnings[i]);
   summary.times.output = watch.lap();

@@ -99,6 +99,11 @@ void FieldEvaluator::evaluate(const Vector& displacement) {
   }
 }
 
+const StressField& FieldEvaluator::points_at(const Vector& displacement) {
+  evaluate(displacement);
+  return points_;
+}
+
 NodalRecovery& FieldEvaluator::recovery() {
   if (!recovery_) {
     recovery_.emplace(problem_.mesh.mesh, parts_, material_zones(problem_, parts_));

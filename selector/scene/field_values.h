@@ -56,6 +56,9 @@ class FieldEvaluator {
   /// The element of each point.
   [[nodiscard]] std::vector<double> point_elements();
 
+  /// What the kernels say of all quadrature points; valid until the next evaluation. Needs stress.
+  [[nodiscard]] const StressField& points_at(const Vector& displacement);
+
   /// What was found wrong in the last evaluation; empty: nothing.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
 

@@ -127,11 +127,6 @@ StrainAndRotation strain_and_rotation(const Eigen::Matrix3d& gradient) {
   return {(stretches.array() - 1).abs().maxCoeff(), std::atan2(axis.norm(), r.trace() - 1)};
 }
 
-/// An element as the user knows it.
-std::string element_name(const SceneMesh& mesh, std::size_t element) {
-  return fmt::format("{}", mesh.element_numbers.empty() ? element : mesh.element_numbers[element]);
-}
-
 /// Elements of which something is said, and the worst of them; the first of equally bad ones.
 struct Elements {
   std::size_t count = 0, of = 0, worst = 0;
@@ -144,23 +139,23 @@ struct Elements {
   }
 };
 
-std::string inverted_warning(const SceneMesh& mesh, const Elements& inverted) {
+std::string inverted_warning(const Mesh& mesh, const Elements& inverted) {
   return fmt::format(
       "{} of {} elements {} inside out at the end (det F <= 0 at a point), the first is element "
       "{}: the result means nothing there; load in more and smaller steps, divide the mesh more "
       "finely there, or take a law that resists being crushed, like neo_hookean",
       inverted.count, inverted.of, inverted.count == 1 ? "is" : "are",
-      element_name(mesh, inverted.worst));
+      mesh.element_number(inverted.worst));
 }
 
-std::string not_small_warning(const SceneMesh& mesh, const std::string& law,
-                              const Elements& beyond) {
+std::string not_small_warning(const Mesh& mesh, const std::string& law, const Elements& beyond) {
   return fmt::format(
       "law '{}' is for small displacements and rotations, but {} of its {} elements are strained "
       "by more than {:g} % or turned by more than {:g} degrees at the end, most of all element {}, "
       "by {:.3g} % and {:.3g} degrees: take stvk or neo_hookean",
       law, beyond.count, beyond.of, 100 * small_strain, in_degrees(small_rotation),
-      element_name(mesh, beyond.worst), 100 * beyond.most.strain, in_degrees(beyond.most.rotation));
+      mesh.element_number(beyond.worst), 100 * beyond.most.strain,
+      in_degrees(beyond.most.rotation));
 }
 
 bool is_inverted(const PointStress& point) {
@@ -225,9 +220,9 @@ std::vector<std::string> deformation_warnings(const Problem& problem, const Stre
     }
   }
   std::vector<std::string> warnings;
-  if (inverted.count > 0) warnings.push_back(inverted_warning(problem.mesh, inverted));
+  if (inverted.count > 0) warnings.push_back(inverted_warning(problem.mesh.mesh, inverted));
   for (const auto& [law, beyond] : not_small) {
-    if (beyond.count > 0) warnings.push_back(not_small_warning(problem.mesh, law, beyond));
+    if (beyond.count > 0) warnings.push_back(not_small_warning(problem.mesh.mesh, law, beyond));
   }
   return warnings;
 }

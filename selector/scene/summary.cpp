@@ -290,10 +290,9 @@ std::string results_text(const RunSummary& summary) {
   }
   if (const auto greatest = greatest_in_elements(results.fields, "von_mises")) {
     const SiPrefix prefix = si_prefix(greatest->value);
-    const std::vector<std::uint64_t>& numbers = summary.problem->mesh.element_numbers;
     text += fmt::format("  von Mises stress    at most {:.6g} {}Pa, of element {}\n",
                         prefix.factor * greatest->value, prefix.symbol,
-                        numbers.empty() ? greatest->element : numbers[greatest->element]);
+                        summary.problem->mesh.mesh.element_number(greatest->element));
   }
   if (results.curve) {
     text += fmt::format("  tip deflection      {} = {:.6f} m, u_x = {:.6f} m\n",

@@ -153,7 +153,8 @@ TEST(DeformationWarnings, NameTheWorstElementOfALawForSmallStrain) {
 
 TEST(DeformationWarnings, SpeakOfTheFilesElementNumbers) {
   Problem problem = hooke_problem();
-  problem.mesh.element_numbers = {1001, 1007};
+  const std::vector<std::uint64_t> nodes(problem.mesh.mesh.num_nodes());
+  problem.mesh.mesh.numbers = std::make_shared<MeshNumbers>(MeshNumbers{nodes, {1001, 1007}});
   const std::vector<std::string> warnings =
       deformation_warnings(problem, field_of({at_rest, at_rest, stretched(0.2), stretched(0.1)}));
   ASSERT_EQ(warnings.size(), 1U);
