@@ -175,6 +175,7 @@ void StaticSolver::linearize(TangentForm form) {
 bool StaticSolver::make_definite() {
   if (form_ == TangentForm::exact && options_.projection == TangentProjection::on_demand) {
     linearize(TangentForm::semidefinite);
+    shift_.restart();  // what is known of it is of the exact tangent
     return true;
   }
   if (shift_.grow()) return true;

