@@ -11,7 +11,7 @@ namespace elastogen::selector {
 namespace {
 
 std::string data(const std::string& name) {
-  return std::string(ELASTOGEN_TEST_DATA) + "/meshes/" + name;
+  return ELASTOGEN_TEST_DATA "/meshes/" + name;
 }
 
 /// A scene of a mesh file, of one region, clamped at x = 0.
