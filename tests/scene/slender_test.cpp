@@ -52,7 +52,8 @@ TEST_F(Slender, StraightColumnBeyondEulersLoadIsToldToBeUnstable) {
   const nlohmann::json json = summary();
   EXPECT_NEAR(json["probes"][0]["displacement"][2], 0, 1e-6);
   EXPECT_EQ(json["solver"]["stability"], "unstable");
-  // It may bend along y and along z; a factor by dense blocks fails without telling in how many ways.
+  // It may bend along y and along z; a factor by dense blocks fails without telling in how many
+  // ways.
   const nlohmann::json negative = json["solver"]["negative_eigenvalues"];
   EXPECT_TRUE(negative.is_null() || negative == 2) << negative;
   EXPECT_NE(result.output.find("warning: the equilibrium is unstable"), std::string::npos)

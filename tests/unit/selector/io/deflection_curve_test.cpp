@@ -49,8 +49,7 @@ TEST(DeflectionCurve, FileKeepsEveryDigit) {
 }
 
 TEST(DeflectionCurve, ReadsTheReference) {
-  const DeflectionCurve curve =
-      read_curve_csv(std::string(ELASTOGEN_TEST_DATA) + "/cantilever.csv");
+  const DeflectionCurve curve = read_curve_csv(ELASTOGEN_TEST_DATA "/cantilever.csv");
   EXPECT_EQ(curve.size(), 17U);
   EXPECT_EQ(curve.x.back(), 8);
   EXPECT_EQ(curve.displacement.back()[2], -6.075997e-01);
