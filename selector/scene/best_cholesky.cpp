@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "runtime/error.h"
 
@@ -39,6 +40,9 @@ class BestCholesky final : public CholeskyFactor {
   bool factorize(const Matrix& matrix) override { return factor_->factorize(matrix); }
   void solve(const Vector& b, Vector& x) override { factor_->solve(b, x); }
   void solve_roughly(const Vector& b, Vector& x) override { factor_->solve_roughly(b, x); }
+  std::optional<int> negative_pivots(const Matrix& matrix) override {
+    return factor_->negative_pivots(matrix);
+  }
 
  private:
   std::unique_ptr<CholeskyFactor> factor_;
