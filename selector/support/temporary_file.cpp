@@ -9,7 +9,9 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <fstream>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -37,7 +39,15 @@ std::optional<pid_t> process_of(std::string_view name) {
   return process;
 }
 
-bool is_gone(pid_t process) { return ::kill(process, 0) != 0 && errno == ESRCH; }
+/// Also what has ended without its parent having noticed yet (a zombie): proc(5), field 3 of stat.
+bool is_gone(pid_t process) {
+  if (::kill(process, 0) != 0) return errno == ESRCH;
+  std::ifstream file(fmt::format("/proc/{}/stat", process));
+  std::string text;
+  std::getline(file, text);
+  const std::size_t name_end = text.rfind(") ");
+  return name_end != std::string::npos && (text[name_end + 2] == 'Z' || text[name_end + 2] == 'X');
+}
 
 bool is_own_file(const fs::path& path) {
   struct stat status {};
