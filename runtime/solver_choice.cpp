@@ -170,7 +170,7 @@ SolverChoice choose_linear_solver(const Mesh& mesh, SolverTask task, double memo
   // Bending has the condition (layers * slenderness)^2, and conjugate gradient its root.
   const double slenderness = std::max(1.0, shape.num_layers / shape.thickness);
   const bool is_static = task == SolverTask::equilibrium;
-  const double iterations = is_static ? 7.5 * shape.num_layers * slenderness : 60;
+  const double iterations = is_static ? 7.5 * shape.num_layers * slenderness : 150;
   const double factored = costs.product + costs.substitution;  // an iteration with a factor
   const double cg = iterations * costs.product;
   std::vector<Candidate> candidates = {{LinearSolverKind::conjugate_gradient, cg}};
