@@ -66,7 +66,7 @@ TEST_F(Slender, BarAThousandTimesAsLongAsThickIsSolvedByCholeskyToo) {
   const double inertia = std::pow(thickness, 4) / 12;
   const std::string scene =
       clamped_bar(length, thickness, "[500, 2, 2]", "hooke-hexa20-q8-auto", young,
-                  "[0.0, 0.0, -50.00000000000001]", "method = \"cholesky\"\ntolerance = 1e-6");
+                  "[0.0, 0.0, -50.00000000000001]", "method = \"cholesky\"\ntolerance = 1e-8");
   const double expected = force * std::pow(length, 3) / (3 * young * inertia);
   const auto check = [&](const std::string& text) {
     const ProcessResult result = run_scene(write(text));
@@ -75,11 +75,11 @@ TEST_F(Slender, BarAThousandTimesAsLongAsThickIsSolvedByCholeskyToo) {
     EXPECT_NEAR(-json["probes"][0]["displacement"][2].get<double>() / expected, 1, 1e-4);
     EXPECT_NEAR(json["probes"][1]["reaction"][2], force, 1e-4 * force);
   };
-  // Which factor is taken decides whether rounding leaves 1e-8 or a few times that.
   check(scene);
-  EXPECT_EQ(summary()["solver"]["status"], "converged");
+  // Whether rounding leaves 1e-8 or somewhat more depends on the factor that is taken.
+  EXPECT_LT(summary()["solver"]["relative_residual"], 1e-7);
   // What numbers cannot resolve is said, and the result is as good.
-  check(replaced_once(scene, "1e-6", "1e-12"));
+  check(replaced_once(scene, "1e-8", "1e-12"));
   const nlohmann::json solver = summary()["solver"];
   EXPECT_EQ(solver["status"], "converged to rounding");
   EXPECT_GT(solver["relative_residual"], solver["tolerance"]);
