@@ -301,10 +301,14 @@ TEST_F(Steps, TissueBreathesAroundATumour) {
 }
 
 TEST_F(Steps, LoadStepsGoOnToTheSameFiles) {
+  // The first half turns so little that its steps take fewer iterations than the limit allows.
+  const std::string bar =
+      replaced_once(twisted_bar, "turns = 0.25 }",
+                    "turns = 0.25 }\nhistory = [[0.0, 0.0], [0.5, 1e-6], [1.0, 1.0]]");
   for (const std::string method : {"cg", "cholesky_cg", "incomplete_cg"}) {
     const std::string steps =
         fmt::format("[solver]\nmethod = \"{}\"\nload_steps = 4\nmax_iterations = ", method);
-    expect_run(twisted_bar + steps + "100\n");
+    expect_run(bar + steps + "100\n");
     const nlohmann::json whole = summary();
     const auto expected = results();
     EXPECT_TRUE(expected.contains("series/step_000004.vtu"));
@@ -312,9 +316,9 @@ TEST_F(Steps, LoadStepsGoOnToTheSameFiles) {
     const int iterations = whole["solver"]["newton_iterations"];
     std::filesystem::remove_all(out());
 
-    expect_run(twisted_bar + steps + std::to_string(iterations - 3) + "\n", {}, 1);
-    expect_run(twisted_bar + steps + "100\n", {"--resume"});
-    EXPECT_GT(summary()["resumed_from"]["step"], 0);
+    expect_run(bar + steps + "4\n", {}, 1);
+    expect_run(bar + steps + "100\n", {"--resume"});
+    EXPECT_EQ(summary()["resumed_from"]["step"], 2);
     EXPECT_EQ(summary()["solver"]["newton_iterations"], iterations);
     EXPECT_EQ(results(), expected) << method;
     std::filesystem::remove_all(out());
