@@ -8,6 +8,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "run_fixture.h"
@@ -172,11 +173,14 @@ TEST_F(Steps, KilledAnywhereAndResumedGivesTheSameFiles) {
 class Scheme : public Steps, public testing::WithParamInterface<const char*> {};
 
 TEST_P(Scheme, GoesOnPastItsEndAsIfItHadNotEnded) {
+  // To the bit with methods that keep no factor from step to step.
+  const std::string solver =
+      std::string_view(GetParam()) == "implicit_euler" ? "[solver]\nmethod = \"cg\"\n" : "";
   const auto scene = [&](const char* end) {
     return fmt::format(
-        "{}[dynamics]\nscheme = \"{}\"\nstep = 0.002\nend = {}\ndamping = 1.0\n"
+        "{}{}[dynamics]\nscheme = \"{}\"\nstep = 0.002\nend = {}\ndamping = 1.0\n"
         "[output]\nwrite = [\"vtu\", \"series\", \"history\"]\nevery = 5\n",
-        falling_bar, GetParam(), end);
+        falling_bar, solver, GetParam(), end);
   };
   expect_run(scene("0.1"));
   EXPECT_EQ(summary()["motion"]["status"], "end of time");
