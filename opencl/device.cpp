@@ -48,16 +48,16 @@ std::vector<cl::Device> find_devices() {
 }
 
 Program build_program(const Device& device, const std::string& source, Precision precision,
-                      const std::string& include_folder) {
+                      const std::string& include_folder, const std::string& options) {
   if (precision == Precision::double_ && !device.has_double()) {
     throw InputError(fmt::format(
         "OpenCL device '{}' has no double precision (cl_khr_fp64); use float", device.name()));
   }
   Program result{cl::Program(device.context, source), ""};
-  std::string options = fmt::format("-cl-std=CL1.2 -I {}", include_folder);
-  if (precision == Precision::double_) options += " -D ELASTOGEN_DOUBLE";
+  std::string all_options = fmt::format("-cl-std=CL1.2 -I {} {}", include_folder, options);
+  if (precision == Precision::double_) all_options += " -D ELASTOGEN_DOUBLE";
   try {
-    result.program.build({device.device}, options.c_str());
+    result.program.build({device.device}, all_options.c_str());
   } catch (const cl::Error& error) {
     throw WorkError(fmt::format(
         "OpenCL device '{}' cannot build a program (error {}):\n{}", device.name(), error.err(),

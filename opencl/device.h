@@ -32,9 +32,11 @@ struct Program {
 };
 
 /// Builds one source that may include "opencl/prelude.cl", found below `include_folder`.
+/// @param options      for the device's compiler, beside what the source needs
 /// @throws InputError  double on a device that has none
 /// @throws WorkError   the source does not compile; has the compiler's log
 [[nodiscard]] Program build_program(const Device& device, const std::string& source,
-                                    Precision precision, const std::string& include_folder);
+                                    Precision precision, const std::string& include_folder,
+                                    const std::string& options = "");
 
 }  // namespace elastogen::opencl
