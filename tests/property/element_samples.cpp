@@ -121,6 +121,17 @@ std::vector<std::string> unsplit_tested() {
   return ids;
 }
 
+std::vector<std::string> unsplit_walked() {
+  std::vector<std::string> ids = unsplit_tested();
+#ifndef ELASTOGEN_CATALOGUE
+  std::erase_if(ids, [](const std::string& text) {
+    const symgen::AssociationId id = symgen::AssociationId::parse(text);
+    return symgen::find_quadrature(id.element, id.quadrature).num_points() >= 20;
+  });
+#endif
+  return ids;
+}
+
 std::vector<std::string> quadratic_associations() {
   return {"stvk-tet10-q4-none", "neo_hookean-tet10-q4-none", "stvk-hexa20-q8-none"};
 }

@@ -39,6 +39,10 @@ void make_rigid_motion(symgen::ElementCase& sample, int dim, double angle);
 /// all.
 [[nodiscard]] std::vector<std::string> unsplit_tested();
 
+/// Those of them whose graphs are walked again and again in exact numbers: not of 20 points and
+/// more, which repeat what fewer points show; in the catalogue all.
+[[nodiscard]] std::vector<std::string> unsplit_walked();
+
 /// Those of quadratic elements among them: a few, since they are large.
 [[nodiscard]] std::vector<std::string> quadratic_associations();
 

@@ -21,7 +21,7 @@ std::vector<std::string> splits_of(const std::string& association) {
 #ifdef ELASTOGEN_CATALOGUE
   return all;
 #else
-  const std::vector<std::string> tested = unsplit_tested();
+  const std::vector<std::string> tested = unsplit_walked();
   const auto place = std::find(tested.begin(), tested.end(), association) - tested.begin();
   std::vector<std::string> some;
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -70,7 +70,7 @@ TEST(Statements, OfEveryProfileAndGroupingAgreeWithTheExactGraph) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, Splits, ::testing::ValuesIn(unsplit_tested()),
+INSTANTIATE_TEST_SUITE_P(Every, Splits, ::testing::ValuesIn(unsplit_walked()),
                          [](const auto& info) { return test_name(info.param); });
 
 }  // namespace
