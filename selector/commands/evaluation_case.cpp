@@ -18,12 +18,10 @@
 namespace elastogen::selector {
 namespace {
 
-using Json = nlohmann::json;
-
-Json parse_json(const std::string& text, const std::string& source) {
+nlohmann::json parse_json(const std::string& text, const std::string& source) {
   try {
-    return Json::parse(text);
-  } catch (const Json::exception& error) {  // also numbers out of range
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::exception& error) {  // also numbers out of range
     // "[json.exception.parse_error.101] parse error at line 3, column 5: ...": from "line" on.
     const std::string message = error.what();
     const std::size_t line = message.find("line ");
@@ -32,7 +30,7 @@ Json parse_json(const std::string& text, const std::string& source) {
   }
 }
 
-void check_keys(const Json& object, const std::string& where,
+void check_keys(const nlohmann::json& object, const std::string& where,
                 const std::vector<std::string>& allowed) {
   if (!object.is_object()) {
     throw InputError(fmt::format("{}: found {}; it must be an object with the keys {}", where,
@@ -46,7 +44,7 @@ void check_keys(const Json& object, const std::string& where,
   }
 }
 
-double read_number(const Json& value, const std::string& where) {
+double read_number(const nlohmann::json& value, const std::string& where) {
   if (!value.is_number()) {
     throw InputError(fmt::format("{}: found {} ({}); it must be a number", where, value.type_name(),
                                  value.dump()));
@@ -59,15 +57,15 @@ double read_number(const Json& value, const std::string& where) {
 }
 
 /// A row of `dim` numbers for each node, as one vector.
-std::vector<double> read_rows(const Json& input, const std::string& source, const std::string& key,
-                              const symgen::Element& element) {
+std::vector<double> read_rows(const nlohmann::json& input, const std::string& source,
+                              const std::string& key, const symgen::Element& element) {
   if (!input.contains(key)) {
     throw InputError(
         fmt::format("{}: the key '{}' is missing: a row of {} numbers [m] for each "
                     "of the {} nodes of '{}'",
                     source, key, element.dim, element.num_nodes(), element.name));
   }
-  const Json& rows = input[key];
+  const nlohmann::json& rows = input[key];
   const auto num_nodes = static_cast<std::size_t>(element.num_nodes());
   const auto dim = static_cast<std::size_t>(element.dim);
   const std::string where = source + ": " + key;
@@ -91,7 +89,7 @@ std::vector<double> read_rows(const Json& input, const std::string& source, cons
   return values;
 }
 
-std::vector<double> read_parameters(const Json& input, const std::string& source,
+std::vector<double> read_parameters(const nlohmann::json& input, const std::string& source,
                                     const symgen::Law& law) {
   std::vector<std::string> names;
   bool all_follow = !law.parameters.empty();
@@ -104,7 +102,7 @@ std::vector<double> read_parameters(const Json& input, const std::string& source
     throw InputError(fmt::format("{}: the key 'parameters' is missing: an object with {}{}", source,
                                  join(names, ", "), either));
   }
-  const Json& object = input["parameters"];
+  const nlohmann::json& object = input["parameters"];
   const std::string where = source + ": parameters";
   const bool by_young =
       all_follow && object.is_object() && (object.contains("young") || object.contains("poisson"));
@@ -157,7 +155,7 @@ double jacobian_determinant(const symgen::ElementCase& input, const symgen::Elem
 
 symgen::ElementCase read_evaluation_case(const std::string& text, const std::string& source,
                                          const symgen::Law& law, const symgen::Element& element) {
-  const Json input = parse_json(text, source);
+  const nlohmann::json input = parse_json(text, source);
   check_keys(input, source, {"rest_positions", "parameters", "displacement", "direction"});
   symgen::ElementCase result;
   result.rest_positions = read_rows(input, source, "rest_positions", element);

@@ -21,7 +21,7 @@
 namespace elastogen::selector {
 namespace {
 
-using Point = Eigen::Vector3d;
+using Eigen::Vector3d;
 using Box = Eigen::AlignedBox3d;
 
 constexpr double element_shrink = 0.84;  // about the element's centre
@@ -32,14 +32,14 @@ constexpr double margin_left = 60, margin_right = 150, margin_top = 95, margin_b
 /// A convex element as it is drawn.
 struct DrawnElement {
   const ElementTopology* topology = nullptr;
-  std::vector<Point> nodes;    // deformed and shrunk
-  std::vector<double> values;  // per node
+  std::vector<Vector3d> nodes;  // deformed and shrunk
+  std::vector<double> values;   // per node
   double nearness = 0;
 };
 
 /// In space; z = 0 in the plane.
-Point point_of(std::span<const double> values, int dim, std::int32_t node) {
-  Point point = Point::Zero();
+Vector3d point_of(std::span<const double> values, int dim, std::int32_t node) {
+  Vector3d point = Vector3d::Zero();
   for (int c = 0; c < dim; ++c) point[c] = values[static_cast<std::size_t>(dim * node + c)];
   return point;
 }
@@ -76,13 +76,13 @@ std::vector<DrawnElement> drawn_elements(const Mesh& mesh, std::span<const doubl
       }
       DrawnElement element{
           &element_topology(block.element), {}, {its_values.begin(), its_values.end()}, 0};
-      Point centre = Point::Zero();
+      Vector3d centre = Vector3d::Zero();
       for (const std::int32_t node : nodes) {
         element.nodes.push_back(point_of(mesh.positions, mesh.dim, node) +
                                 point_of(displacement, mesh.dim, node));
         centre += element.nodes.back() / static_cast<double>(nodes.size());
       }
-      for (Point& node : element.nodes) node = centre + element_shrink * (node - centre);
+      for (Vector3d& node : element.nodes) node = centre + element_shrink * (node - centre);
       element.nearness = projection.nearness(centre);
       elements.push_back(std::move(element));
     }
@@ -147,7 +147,7 @@ ColourRange range_of(const std::vector<DrawnElement>& elements, bool from_zero) 
 /// filled by the mean value, darker the more the face turns away from the light.
 void append_faces(const DrawnElement& element, const Projection& projection,
                   const ColourRange& range, std::string& data) {
-  const Point light =
+  const Vector3d light =
       (projection.to_eye + 0.8 * projection.up - 0.3 * projection.right).normalized();
   for (const std::vector<int>& face : polygons(*element.topology)) {
     std::vector<Eigen::Vector2d> corners;
@@ -160,7 +160,7 @@ void append_faces(const DrawnElement& element, const Projection& projection,
       value += element.values[node] / static_cast<double>(face.size());
     }
     const auto at = [&](std::size_t i) { return element.nodes[static_cast<std::size_t>(face[i])]; };
-    const Point normal = (at(1) - at(0)).cross(at(face.size() - 1) - at(0)).normalized();
+    const Vector3d normal = (at(1) - at(0)).cross(at(face.size() - 1) - at(0)).normalized();
     if (normal.dot(projection.to_eye) <= 0) continue;
 
     const double brightness = 0.6 + 0.4 * std::max(0.0, normal.dot(light));
@@ -184,12 +184,13 @@ double tick_step(double length) {
 /// hangs down does not cover them, and the other sizes at the end x = least.
 std::string axes_script(const Box& rest, int dim, const Projection& projection) {
   std::string script;
-  const auto line = [&](const Point& from, const Point& to, const char* colour) {
+  const auto line = [&](const Vector3d& from, const Vector3d& to, const char* colour) {
     const Eigen::Vector2d a = projection(from), b = projection(to);
     script += fmt::format("set arrow from {:.6g},{:.6g} to {:.6g},{:.6g} nohead lc rgb '{}' back\n",
                           a[0], a[1], b[0], b[1], colour);
   };
-  const auto label = [&](const Point& where, const std::string& text, const char* justification) {
+  const auto label = [&](const Vector3d& where, const std::string& text,
+                         const char* justification) {
     const Eigen::Vector2d at = projection(where);
     script += fmt::format("set label {} at {:.6g},{:.6g} {} front\n", gnuplot_quoted(text), at[0],
                           at[1], justification);
@@ -201,25 +202,26 @@ std::string axes_script(const Box& rest, int dim, const Projection& projection) 
            rest.corner(static_cast<Box::CornerType>(corner | 1 << axis)), "#b0b0b0");
     }
   }
-  const Point low = rest.min(), size = rest.sizes();
+  const Vector3d low = rest.min(), size = rest.sizes();
   const double tick = 0.012 * size.maxCoeff();
   const double step = tick_step(size[0]);
-  const Point back(low[0], rest.max()[1], rest.max()[2]);
+  const Vector3d back(low[0], rest.max()[1], rest.max()[2]);
   for (double x = 0; x <= size[0] * (1 + 1e-9); x += step) {
-    const Point at = back + x * Point::UnitX();
+    const Vector3d at = back + x * Vector3d::UnitX();
     line(at, at + tick * projection.up, "#404040");
     label(at + 2.2 * tick * projection.up, fmt::format("{:.4g}", at[0]), "center");
   }
-  line(back, back + size[0] * Point::UnitX(), "#404040");
-  label(back + 0.5 * step * Point::UnitX() + 2.2 * tick * projection.up, "x [m]", "center");
-  const Point aside = -0.7 * tick * projection.right;
+  line(back, back + size[0] * Vector3d::UnitX(), "#404040");
+  label(back + 0.5 * step * Vector3d::UnitX() + 2.2 * tick * projection.up, "x [m]", "center");
+  const Vector3d aside = -0.7 * tick * projection.right;
   if (dim == 2) {
-    label(low + 0.5 * size[1] * Point::UnitY() + aside, fmt::format("y: {:.4g} m", size[1]),
+    label(low + 0.5 * size[1] * Vector3d::UnitY() + aside, fmt::format("y: {:.4g} m", size[1]),
           "right");
     return script;
   }
-  label(low + 0.5 * size[2] * Point::UnitZ() + aside, fmt::format("z: {:.4g} m", size[2]), "right");
-  label(low + Point(0, 0.5 * size[1], size[2]) + aside + tick * projection.up,
+  label(low + 0.5 * size[2] * Vector3d::UnitZ() + aside, fmt::format("z: {:.4g} m", size[2]),
+        "right");
+  label(low + Vector3d(0, 0.5 * size[1], size[2]) + aside + tick * projection.up,
         fmt::format("y: {:.4g} m", size[1]), "right");
   return script;
 }
@@ -257,13 +259,13 @@ void draw_deformed(const std::filesystem::path& picture, const Mesh& mesh,
                    const std::string& title) {
   const Projection projection =
       mesh.dim == 2
-          ? Projection{Point::UnitX(), Point::UnitY(), Point::UnitZ()}
+          ? Projection{Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()}
           : Projection::from_angles(28 * std::numbers::pi / 180, 20 * std::numbers::pi / 180);
   Box rest, whole;
   for (std::size_t i = 0; i < mesh.num_nodes(); ++i) {
     const auto node = static_cast<std::int32_t>(i);
-    const Point at = point_of(mesh.positions, mesh.dim, node),
-                moved = point_of(displacement, mesh.dim, node);
+    const Vector3d at = point_of(mesh.positions, mesh.dim, node),
+                   moved = point_of(displacement, mesh.dim, node);
     rest.extend(at);
     whole.extend(at).extend(at + moved);
   }

@@ -93,16 +93,6 @@ class Slot {
   std::counting_semaphore<>& slots_;
 };
 
-/// A compilation under way: the folder that it works in, and how long it will have taken.
-struct Compilation {
-  // clang 14 does not make aggregates in place.
-  Compilation(WorkFolder where, std::future<double> time)
-      : folder(std::move(where)), seconds(std::move(time)) {}
-
-  WorkFolder folder;
-  std::future<double> seconds;
-};
-
 }  // namespace
 
 template <class Scalar>
@@ -127,6 +117,16 @@ KernelLoader::KernelLoader(LoaderOptions options) : options_(std::move(options))
 
 /// One request on its way to loaded kernels.
 struct KernelLoader::Job {
+  /// A compilation under way: the folder that it works in, and how long it will have taken.
+  struct Compilation {
+    // clang 14 does not make aggregates in place.
+    Compilation(WorkFolder where, std::future<double> time)
+        : folder(std::move(where)), seconds(std::move(time)) {}
+
+    WorkFolder folder;
+    std::future<double> seconds;
+  };
+
   const KernelRequest* request = nullptr;
   std::string hash;  ///< of the association
   fs::path entry;    ///< in the cache
@@ -199,7 +199,7 @@ void KernelLoader::start(Job& job, const Compiler& compiler,
 }
 
 void KernelLoader::finish(Job& job) const {
-  Compilation& compilation = *job.compilation;
+  Job::Compilation& compilation = *job.compilation;
   KernelBuildReport& report = job.result.report_;
   try {
     report.compile_seconds = compilation.seconds.get();

@@ -58,10 +58,6 @@ std::vector<std::string> names_of(const std::vector<Named>& all) {
   return names;
 }
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 std::string read_identifier(const TomlFields& fields, const std::vector<std::string>& taken) {
   const std::string name = fields.required_text("name");
   if (!is_identifier(name)) {
@@ -69,7 +65,7 @@ std::string read_identifier(const TomlFields& fields, const std::vector<std::str
                                     "letters, digits and '_'",
                                     name));
   }
-  if (contains(taken, name)) {
+  if (std::ranges::count(taken, name) > 0) {
     fields.fail("name", fmt::format("name '{}' is taken twice; names must differ", name));
   }
   return name;
@@ -138,7 +134,7 @@ Parameter read_parameter(const std::string& file, const toml::table& table, std:
   Parameter parameter;
   parameter.name = read_identifier(fields, names_of(before));
   for (const std::vector<std::string>& reserved : {invariant_names(), reserved_names()}) {
-    if (contains(reserved, parameter.name)) {
+    if (std::ranges::count(reserved, parameter.name) > 0) {
       fields.fail("name", fmt::format("name '{}' means something else in expressions; no parameter "
                                       "can be called {} or {}",
                                       parameter.name, join_names(invariant_names()),

@@ -20,7 +20,7 @@ GiNaC::exmap values_of(const Law& law, const std::vector<double>& parameters) {
   return values;
 }
 
-std::optional<double> real_value(const ex& expression, const GiNaC::exmap& values) {
+std::optional<double> value_of(const ex& expression, const GiNaC::exmap& values) {
   try {
     const ex value = expression.subs(values).evalf();
     if (GiNaC::is_a<numeric>(value) && GiNaC::ex_to<numeric>(value).is_real()) {
@@ -60,10 +60,10 @@ class IsochoricEnergy {
   [[nodiscard]] std::optional<bool> is_convex(double first, double second) const {
     const GiNaC::exmap strains = {{first_, numeric(first)}, {second_, numeric(second)}};
     // Derivatives of a logarithm are real where it is not.
-    if (!real_value(energy_, strains)) return std::nullopt;
+    if (!value_of(energy_, strains)) return std::nullopt;
     std::array<double, 3> values{};
     for (std::size_t k = 0; k < values.size(); ++k) {
-      const std::optional<double> value = real_value(second_derivatives_[k], strains);
+      const std::optional<double> value = value_of(second_derivatives_[k], strains);
       if (!value) return std::nullopt;
       values[k] = *value;
     }
@@ -116,8 +116,8 @@ std::optional<ModuliAtRest> moduli_at_rest(const Law& law, const std::vector<dou
   if (tangent.empty()) return std::nullopt;
   const RestModuli moduli = moduli_of(tangent);
   const GiNaC::exmap values = values_of(law, parameters);
-  const std::optional<double> lambda = real_value(moduli.lambda, values);
-  const std::optional<double> mu = real_value(moduli.mu, values);
+  const std::optional<double> lambda = value_of(moduli.lambda, values);
+  const std::optional<double> mu = value_of(moduli.mu, values);
   if (!lambda || !mu) return std::nullopt;
   return ModuliAtRest{*lambda, *mu};
 }

@@ -15,8 +15,6 @@
 namespace elastogen::test {
 namespace {
 
-constexpr std::array<double, 3> lengths = {2, 1, 1.5};
-
 struct KernelCase {
   std::string name;
   std::string element;
@@ -33,8 +31,8 @@ class ModelOfEachKernel : public testing::TestWithParam<KernelCase> {
  protected:
   void SetUp() override {
     table_ = GetParam().table();
-    mesh_ = bar_mesh(GetParam().element, {3, 2, 3}, lengths);
-    distort(mesh_, lengths, 0.05, 1);
+    mesh_ = bar_mesh(GetParam().element, {3, 2, 3}, block_lengths);
+    distort(mesh_, block_lengths, 0.05, 1);
   }
   [[nodiscard]] Model make(const ModelOptions& options = {.threads = 1}) const {
     return Model(mesh_, one_part(mesh_, table_), options);
@@ -60,7 +58,7 @@ TEST_P(ModelOfEachKernel, MatchesUniformStrainEnergyAndIsInBalanceInside) {
   const Matrix3 e = (h + h.transpose() + h.transpose() * h) / 2;
   const std::vector<double> lame = lame_parameters();
   const double density = lame[0] / 2 * e.trace() * e.trace() + lame[1] * e.squaredNorm();
-  const double volume = lengths[0] * lengths[1] * lengths[2];
+  const double volume = block_lengths[0] * block_lengths[1] * block_lengths[2];
   EXPECT_NEAR(model.energy(u), density * volume, 1e-12 * density * volume);
 
   const Vector f = forces(model, u);
@@ -70,7 +68,7 @@ TEST_P(ModelOfEachKernel, MatchesUniformStrainEnergyAndIsInBalanceInside) {
     bool inner = true;
     for (std::size_t i = 0; i < 3; ++i) {
       const double x = mesh_.positions[3 * node + i];
-      inner = inner && x > 1e-9 && x < lengths[i] - 1e-9;
+      inner = inner && x > 1e-9 && x < block_lengths[i] - 1e-9;
     }
     if (!inner) continue;
     EXPECT_LT(f.segment<3>(static_cast<Eigen::Index>(3 * node)).norm(), 1e-12 * scale) << node;

@@ -13,16 +13,14 @@
 namespace elastogen::test {
 namespace {
 
-constexpr std::array<double, 3> lengths = {2, 1, 1.5};
-
 struct Body {
   explicit Body(const std::string& element)
       : table(element == "tet4" ? ReferenceKernels<Tet4, 4, false>::table()
                                 : ReferenceKernels<Hexa8, 4, false>::table()),
-        mesh(bar_mesh(element, {4, 3, 3}, lengths)) {
-    distort(mesh, lengths, 0.06, 7);
+        mesh(bar_mesh(element, {4, 3, 3}, block_lengths)) {
+    distort(mesh, block_lengths, 0.06, 7);
   }
-  /// The half x > lengths[0] / 2 as a part of its own.
+  /// The half x > block_lengths[0] / 2 as a part of its own.
   [[nodiscard]] std::vector<ModelPart> two_parts() const {
     std::vector<ModelPart> parts(2, one_part(mesh, table).front());
     for (ModelPart& part : parts) part.elements.clear();

@@ -12,7 +12,7 @@
 namespace elastogen::test {
 namespace {
 
-constexpr std::array<double, 3> lengths = {4, 1, 1};
+constexpr std::array<double, 3> bar_lengths = {4, 1, 1};
 
 std::vector<std::int32_t> nodes_up_to(const Mesh& mesh, double x) {
   std::vector<std::int32_t> nodes;
@@ -39,7 +39,7 @@ Vector forces_at(Model& model, const Vector& u) {
 class AtRest : public testing::TestWithParam<TangentProduct> {};
 
 TEST_P(AtRest, ElementsBetweenHeldNodesAreMissedByNobody) {
-  const Mesh mesh = bar_mesh("hexa8", {8, 4, 4}, lengths);
+  const Mesh mesh = bar_mesh("hexa8", {8, 4, 4}, bar_lengths);
   const auto table = ReferenceKernels<Hexa8, 4, false>::table();
   const std::vector<std::int32_t> held = nodes_up_to(mesh, 2.0);
   const ModelOptions options = {.threads = 2, .tangent_product = GetParam()};
@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(SkippedWork, AtRest,
                          });
 
 TEST(SkippedWork, HeldNodesAreThoseThatNeverMove) {
-  const Mesh mesh = bar_mesh("hexa8", {4, 1, 1}, lengths);
+  const Mesh mesh = bar_mesh("hexa8", {4, 1, 1}, bar_lengths);
   Constraints constraints(mesh.num_nodes(), 3);
   for (const std::size_t node : {0U, 1U, 2U, 3U, 5U}) constraints.fix(node);
   constraints.fix(7, 1);
@@ -118,7 +118,7 @@ double largest_row(const Eigen::SparseMatrix<double>& k) {
 
 class Sleep : public testing::TestWithParam<int> {
  protected:
-  Sleep() : mesh_(bar_mesh("tet4", {40, 8, 8}, lengths)) {}
+  Sleep() : mesh_(bar_mesh("tet4", {40, 8, 8}, bar_lengths)) {}
 
   [[nodiscard]] Model make(double motion, int calls) const {
     Model model(mesh_, one_part(mesh_, table_), {.threads = GetParam(), .sleep = {motion, calls}});

@@ -16,8 +16,6 @@
 namespace elastogen::test {
 namespace {
 
-constexpr std::array<double, 3> lengths = {2, 1, 1.5};
-
 template <class Element>
 typename Element::Nodes3 values_of_nodes(const Mesh& mesh, std::size_t e, const double* values) {
   typename Element::Nodes3 m;
@@ -69,8 +67,8 @@ void expect_points_of(const Mesh& mesh, Model& model, const Vector& u) {
 template <class Element, int Lanes>
 void expect_points_in_order(const ModelOptions& options, bool scattered) {
   const KernelTable<double> table = ReferenceKernels<Element, Lanes, false>::table();
-  Mesh mesh = bar_mesh(Element::name, {5, 3, 3}, lengths);
-  distort(mesh, lengths, 0.05, 1);
+  Mesh mesh = bar_mesh(Element::name, {5, 3, 3}, block_lengths);
+  distort(mesh, block_lengths, 0.05, 1);
   if (scattered) {  // nodes at random, so that the model takes numbers of its own
     std::vector<std::int32_t> number(mesh.num_nodes());
     std::iota(number.begin(), number.end(), 0);
@@ -99,7 +97,7 @@ TEST(ModelStress, HasThemWhereTheModelGoesAlongACurve) {
 
 TEST(ModelStress, IsComputedBetweenHeldNodesToo) {
   const KernelTable<double> table = ReferenceKernels<Hexa8, 4, false>::table();
-  const Mesh mesh = bar_mesh("hexa8", {4, 2, 2}, lengths);
+  const Mesh mesh = bar_mesh("hexa8", {4, 2, 2}, block_lengths);
   ModelOptions options{.threads = 2};
   for (std::int32_t node = 0; node < 18; ++node) options.held_nodes.push_back(node);
   Model model(mesh, one_part(mesh, table), options);
@@ -112,7 +110,7 @@ TEST(ModelStress, IsComputedBetweenHeldNodesToo) {
 // moves the points, too.
 TEST(ModelStress, KeepsTheOwnOrderOfTurnedBoxes) {
   const KernelTable<double> table = ReferenceKernels<Hexa8, 4, false>::table(true);
-  Mesh mesh = bar_mesh("hexa8", {5, 3, 3}, lengths);
+  Mesh mesh = bar_mesh("hexa8", {5, 3, 3}, block_lengths);
   constexpr std::array<int, 8> about_z = {1, 2, 3, 0, 5, 6, 7, 4};
   constexpr std::array<int, 8> about_x = {3, 2, 6, 7, 0, 1, 5, 4};
   std::mt19937 random(5);
@@ -136,7 +134,7 @@ TEST(ModelStress, KeepsTheOwnOrderOfTurnedBoxes) {
 
 TEST(ModelStress, TellsTheFirstElementOutsideItsLawsDomain) {
   const KernelTable<double> table = ReferenceKernels<Tet4, 4, false>::table();
-  const Mesh mesh = bar_mesh("tet4", {3, 1, 1}, lengths);
+  const Mesh mesh = bar_mesh("tet4", {3, 1, 1}, block_lengths);
   Model model(mesh, one_part(mesh, table), {.threads = 2});
   Vector u = Vector::Zero(static_cast<Eigen::Index>(model.num_dofs()));
   const std::int32_t node = mesh.blocks[0].element_nodes(7)[0];
@@ -156,7 +154,7 @@ TEST(ModelStress, NeedsItsKernels) {
   VariantTable<double> variant = table.variants[0];
   variant.stress = nullptr;
   table.variants = &variant;
-  const Mesh mesh = bar_mesh("tet4", {1, 1, 1}, lengths);
+  const Mesh mesh = bar_mesh("tet4", {1, 1, 1}, block_lengths);
   Model model(mesh, one_part(mesh, table), {.threads = 1});
   StressField field;
   EXPECT_THROW(model.stress(Vector::Zero(24), field), InternalError);

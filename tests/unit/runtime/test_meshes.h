@@ -15,6 +15,9 @@
 
 namespace elastogen::test {
 
+/// Edges of a block of small elements, m.
+inline constexpr std::array<double, 3> block_lengths = {2, 1, 1.5};
+
 /// Lame parameters of a material with Young's modulus 1e5 Pa and Poisson's ratio 0.3.
 inline std::vector<double> lame_parameters() {
   constexpr double young = 1e5;

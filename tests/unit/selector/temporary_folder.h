@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "tests/unit/message_of.h"
+
 namespace elastogen::selector {
 
 /// An empty folder that vanishes with the object.
@@ -56,16 +58,6 @@ class EnvironmentVariable {
   std::optional<std::string> before_;
 };
 
-/// The message of the Error that `call` throws; a failed test when it throws none.
-template <class Error, class Call>
-std::string message_of(Call&& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "nothing was thrown";
-  return {};
-}
+using test::message_of;
 
 }  // namespace elastogen::selector

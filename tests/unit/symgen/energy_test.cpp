@@ -9,6 +9,7 @@
 #include "symgen/mechanics/functions.h"
 #include "symgen/mechanics/small_measures.h"
 #include "temporary_law.h"
+#include "tests/unit/symgen/relative_error.h"
 
 namespace elastogen::symgen {
 namespace {
@@ -41,12 +42,6 @@ GiNaC::exmap random_state(const Law& law, int dim, const numeric& size, std::mt1
 
 numeric evaluate(const ex& expression, const GiNaC::exmap& values) {
   return GiNaC::ex_to<numeric>(expression.subs(values).evalf());
-}
-
-/// |value - reference| / |reference|, or the absolute value where the reference is 0.
-double relative_error(const numeric& value, const numeric& reference) {
-  const numeric scale = reference.is_zero() ? numeric(1) : GiNaC::abs(reference);
-  return (GiNaC::abs(value - reference) / scale).to_double();
 }
 
 TEST(EnergyDensity, OfNeoHookeanHasNoFirstOrderPart) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/symgen/relative_error.h"
+
 namespace elastogen::symgen {
 namespace {
 
@@ -19,10 +21,6 @@ class Precision {
 };
 
 numeric value_of(const ex& expression) { return GiNaC::ex_to<numeric>(expression.evalf()); }
-
-double relative_error(const numeric& value, const numeric& reference) {
-  return GiNaC::abs((value - reference) / reference).to_double();
-}
 
 numeric power_of_ten(int n) { return numeric(10).power(numeric(n)); }
 

@@ -3,25 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "runtime/error.h"
 #include "symgen/law/law.h"
 #include "temporary_law.h"
+#include "tests/unit/message_of.h"
 
 namespace elastogen::symgen {
 namespace {
 
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "nothing was thrown";
-  return "";
-}
+using test::message_of;
 
 TEST(ParametersFromYoungPoisson, AreLame) {
   for (const char* name : {"hooke", "stvk", "neo_hookean"}) {
@@ -46,13 +38,13 @@ TEST(ParametersFromYoungPoisson, AreRoundedOnce) {
 
 TEST(ParametersFromYoungPoisson, RefusePoissonOutsideItsRange) {
   const Law stvk = shipped_law("stvk");
-  EXPECT_EQ(message_of([&] { (void)parameters_from_young_poisson(stvk, 1, 0.5); }),
+  EXPECT_EQ(message_of<InputError>([&] { (void)parameters_from_young_poisson(stvk, 1, 0.5); }),
             "poisson = 0.5: must be in (-1, 0.5) for law 'stvk' (lambda is unbounded at 0.5); "
             "give a ratio up to 0.4999");
-  EXPECT_EQ(message_of([&] { (void)parameters_from_young_poisson(stvk, 1, -1); }),
+  EXPECT_EQ(message_of<InputError>([&] { (void)parameters_from_young_poisson(stvk, 1, -1); }),
             "poisson = -1: must be in (-1, 0.5) for law 'stvk' (lambda, mu are unbounded at -1); "
             "give a ratio from -0.9999");
-  EXPECT_EQ(message_of([&] { (void)parameters_from_young_poisson(stvk, 1, NAN); }),
+  EXPECT_EQ(message_of<InputError>([&] { (void)parameters_from_young_poisson(stvk, 1, NAN); }),
             "poisson = nan: must be in (-1, 0.5) for law 'stvk'");
   EXPECT_NO_THROW((void)parameters_from_young_poisson(stvk, 1, 0.4999));
   EXPECT_NO_THROW((void)parameters_from_young_poisson(stvk, 1, -0.9999));
@@ -61,7 +53,7 @@ TEST(ParametersFromYoungPoisson, RefusePoissonOutsideItsRange) {
 TEST(ParametersFromYoungPoisson, RefuseYoungOutsideItsRange) {
   const Law stvk = shipped_law("stvk");
   for (const double young : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
-    EXPECT_NE(message_of([&] {
+    EXPECT_NE(message_of<InputError>([&] {
                 (void)parameters_from_young_poisson(stvk, young, 0.3);
               }).find("must be a finite number > 0 [Pa] for law 'stvk'"),
               std::string::npos);
@@ -70,7 +62,7 @@ TEST(ParametersFromYoungPoisson, RefuseYoungOutsideItsRange) {
 
 TEST(ParametersFromYoungPoisson, RefuseParameterThatDoesNotFollow) {
   const Law law = law_with_term("mu*trE2 + lambda*trE^2");
-  EXPECT_EQ(message_of([&] { (void)parameters_from_young_poisson(law, 1, 0.3); }),
+  EXPECT_EQ(message_of<InputError>([&] { (void)parameters_from_young_poisson(law, 1, 0.3); }),
             "parameter 'lambda' of law 'own' does not follow from young and poisson; give the "
             "law's own parameters");
 }
@@ -85,7 +77,7 @@ from_young_poisson = "young/poisson"
 name = "all"
 energy = "k*trE2"
 )");
-  EXPECT_EQ(message_of([&] { (void)parameters_from_young_poisson(law, 1, 0); }),
+  EXPECT_EQ(message_of<InputError>([&] { (void)parameters_from_young_poisson(law, 1, 0); }),
             "parameter 'k' of law 'own', young/poisson, has no real value at young = 1, "
             "poisson = 0");
 }
@@ -111,13 +103,14 @@ TEST(CheckParameters, KeepsRanges) {
               "k = 2: must be in [1, 2) [Pa] for law 'own'", 1, 2}}) {
     const Law law = law_with_range(range.text);
     EXPECT_NO_THROW(check_parameters(law, {range.inside})) << range.text;
-    EXPECT_EQ(message_of([&] { check_parameters(law, {range.outside}); }), range.message);
+    EXPECT_EQ(message_of<InputError>([&] { check_parameters(law, {range.outside}); }),
+              range.message);
   }
 }
 
 TEST(CheckParameters, RefuseWhatHasLostItsDigits) {
   const Law law = law_with_range("minimum = 0");
-  EXPECT_EQ(message_of([&] { check_parameters(law, {1e-310}); }),
+  EXPECT_EQ(message_of<InputError>([&] { check_parameters(law, {1e-310}); }),
             "k = 1e-310: must be 0 or at least 2.23e-308 in size, where double precision has all "
             "its digits [Pa] for law 'own'");
   EXPECT_NO_THROW(check_parameters(law, {0}));
@@ -127,7 +120,8 @@ TEST(CheckParameters, RefuseWhatHasLostItsDigits) {
 TEST(ParametersFromYoungPoisson, RefuseModuliBeyondDoublePrecision) {
   const Law stvk = shipped_law("stvk");
   const auto message = [&](double young, double poisson) {
-    return message_of([&] { (void)parameters_from_young_poisson(stvk, young, poisson); });
+    return message_of<InputError>(
+        [&] { (void)parameters_from_young_poisson(stvk, young, poisson); });
   };
   EXPECT_NO_THROW((void)parameters_from_young_poisson(stvk, 1e-300, 0.25));
   EXPECT_EQ(message(1e-310, 0.25),
@@ -144,7 +138,7 @@ TEST(ParametersFromYoungPoisson, RefuseModuliBeyondDoublePrecision) {
 
 TEST(CheckParameters, RefusesWhatIsNotFinite) {
   const Law law = law_with_range("");
-  EXPECT_EQ(message_of([&] { check_parameters(law, {NAN}); }),
+  EXPECT_EQ(message_of<InputError>([&] { check_parameters(law, {NAN}); }),
             "k = nan: must be a finite number [Pa] for law 'own'");
   EXPECT_THROW(check_parameters(law, {}), InternalError);
 }

@@ -2,23 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
 #include "runtime/error.h"
 #include "symgen/law/expression.h"
+#include "tests/unit/message_of.h"
 
 namespace elastogen::symgen {
 namespace {
 
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "nothing was thrown";
-  return "";
-}
+using test::message_of;
 
 struct Spelling {
   const char *written, *usual;
@@ -52,7 +43,7 @@ struct NoUnit {
 class ParseUnitError : public testing::TestWithParam<NoUnit> {};
 
 TEST_P(ParseUnitError, IsExplained) {
-  const std::string message = message_of([] { (void)parse_unit(GetParam().text); });
+  const std::string message = message_of<InputError>([] { (void)parse_unit(GetParam().text); });
   EXPECT_EQ(message.find(GetParam().message), 0U) << message;
 }
 
@@ -88,7 +79,7 @@ class UnitOf : public testing::Test {
     return unit_text(unit_of(parse(text), quantities_));
   }
   std::string error(const std::string& text) const {
-    return message_of([&] { check_unit(parse(text), quantities_, "J/m^3"); });
+    return message_of<InputError>([&] { check_unit(parse(text), quantities_, "J/m^3"); });
   }
   void accept(const std::string& text) const {
     EXPECT_NO_THROW(check_unit(parse(text), quantities_, "J/m^3")) << text;
