@@ -333,7 +333,7 @@ void add_run_command(CLI::App& app, Context& context) {
       "Writes VTU files, curves, pictures and summary.json, as the scene asks. A scene with\n"
       "[dynamics] moves in time, any other is brought to static equilibrium, in load steps if it\n"
       "says so; both keep a checkpoint after each step, from which --resume goes on to the same\n"
-      "result, bit for bit.\n"
+      "result: bit for bit, in motions solved by cholesky_cg or incomplete_cg to their tolerance.\n"
       "Exit status: 0 converged, at rest, or at the end of time; 1 not converged, or the work\n"
       "failed; 2 the scene or the call is wrong, nothing is written; 130 ended by Ctrl-C. What "
       "was\n"

@@ -46,8 +46,8 @@ const ex& raised(const Dag& dag, NodeId id, std::unordered_map<NodeId, ex>& know
 /// Symbols for some inputs of a graph, in GiNaC and in the new graph.
 class InputSymbols {
  public:
-  InputSymbols(const Dag& source, Dag& target, std::unordered_map<NodeId, ex>& raised_inputs)
-      : source_(source), target_(target), raised_inputs_(raised_inputs) {}
+  InputSymbols(Dag& target, std::unordered_map<NodeId, ex>& raised_inputs)
+      : target_(target), raised_inputs_(raised_inputs) {}
 
   /// @param nodes  in the source; each becomes a symbol of the target, of stage `stage`
   std::vector<NodeId> add(std::span<const NodeId> nodes, const std::string& letter, Stage stage) {
@@ -70,7 +70,6 @@ class InputSymbols {
   }
 
  private:
-  const Dag& source_;
   Dag& target_;
   std::unordered_map<NodeId, ex>& raised_inputs_;
   SymbolNodes nodes_;
@@ -101,7 +100,7 @@ ExpandedFormulation expand_formulation(const ElementGraph& element) {
     return copy_into(source, element.dag, nodes);
   };
   std::unordered_map<NodeId, ex> known;
-  InputSymbols symbols(source, result.dag, known);
+  InputSymbols symbols(result.dag, known);
   result.parameters = symbols.add(in_source(element.parameters), "p", Stage::state);
   result.constants = symbols.add(result.definition.constants, "D", Stage::state);
   const std::size_t num_dofs = element.displacement.size();
