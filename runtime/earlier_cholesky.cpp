@@ -36,7 +36,7 @@ double EarlierCholesky::apply(const Vector& r, Vector& z) {
   if (is_bounded_) {
     cholesky_.solve_roughly(r, z);
   } else {
-    cholesky_.solve(r, 0, z);
+    cholesky_.substitute(r, z);
   }
   return dot(r, z, model_.num_threads());
 }

@@ -12,7 +12,9 @@ ImplicitEuler::ImplicitEuler(Model& model, const Constraints& constraints,
                              const PrescribedMotion& motion, const ConstVectorRef& load,
                              const IntegratorOptions& options, MotionState start)
     : Integrator(model, constraints, motion, load, options, std::move(start)),
-      solver_(make_linear_solver(options.linear_solver, model, constraints)) {}
+      solver_(make_linear_solver(
+          state_.fell_back ? fallen_back(options.linear_solver) : options.linear_solver, model,
+          constraints)) {}
 
 void ImplicitEuler::solve(const Vector& u, double h, const Vector& b, const Vector& v, Vector& x) {
   if (constraints_.num_free() == 0) {
@@ -80,6 +82,7 @@ void ImplicitEuler::advance(double time, double h) {
   }
   state_.a = (state_.v - before.v) / h;
   state_.a_before = before.a;
+  state_.fell_back = solver_->kind() != options_.linear_solver.kind;
 }
 
 void ImplicitEuler::iterate(double h, const Vector& before, const Vector& velocity, Vector& u) {

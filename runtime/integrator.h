@@ -32,6 +32,7 @@ struct MotionState {
   Vector v;         ///< velocity [m/s]
   Vector a;         ///< acceleration of the last step [m/s^2]
   Vector a_before;  ///< of the step before that; explicit schemes leave it 0
+  bool fell_back = false;  ///< LinearSolverOptions::fall_back_after has been reached
 };
 
 struct IntegratorOptions {

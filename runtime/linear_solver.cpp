@@ -22,6 +22,12 @@ std::string_view solver_name(LinearSolverKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
+LinearSolverOptions fallen_back(LinearSolverOptions options) {
+  options.kind = LinearSolverKind::cholesky_cg;
+  options.fall_back_after = 0;
+  return options;
+}
+
 std::unique_ptr<LinearSolver> make_linear_solver(const LinearSolverOptions& options, Model& model,
                                                  const Constraints& constraints) {
   if (options.kind == LinearSolverKind::cholesky) {

@@ -45,6 +45,9 @@ struct LinearSolverOptions {
   MakeCholeskyFactor cholesky = std::make_unique<SimplicialCholesky>;
 };
 
+/// What a solver that gave way goes on with.
+[[nodiscard]] LinearSolverOptions fallen_back(LinearSolverOptions options);
+
 /// Whether the tangent's element matrices are projected to positive semi-definite ones
 /// (TangentForm::semidefinite), which needs the kernels' stiffness.
 enum class TangentProjection {

@@ -40,14 +40,6 @@ void check_options(const NewtonOptions& options) {
   }
 }
 
-LinearSolverOptions solver_options(LinearSolverOptions options, bool fell_back) {
-  if (fell_back) {
-    options.kind = LinearSolverKind::cholesky_cg;
-    options.fall_back_after = 0;
-  }
-  return options;
-}
-
 // `moved`: one Newton step was taken. `failed` may go better with a smaller load step, `stopped`
 // may not.
 enum class StepOutcome { moved, converged, failed, stopped, interrupted };
@@ -61,8 +53,9 @@ class StaticSolver {
         motion_(motion),
         options_(options),
         potential_(model, constraints, load),
-        solver_(make_linear_solver(solver_options(options.linear_solver, fell_back), model,
-                                   constraints)),
+        solver_(make_linear_solver(
+            fell_back ? fallen_back(options.linear_solver) : options.linear_solver, model,
+            constraints)),
         has_load_(load.squaredNorm() > 0) {}
 
   void run(LoadState& state);

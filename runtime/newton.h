@@ -122,9 +122,9 @@ struct NewtonResult {
 /// Each iteration solves (K + s D) d = r and moves along d by a backtracking line search that
 /// decreases Pi (Armijo); an energy that is not finite, or an element out of its law's domain,
 /// counts as too long a step. Where energy differences drown in rounding, a decrease of |r| is
-/// asked for instead. The shift s is 0 while K is positive definite, else about twice the lowest
-/// eigenvalue's absolute value (TangentShift); with a projection of K on demand, that is tried
-/// first. Conjugate gradient is solved inexactly with a tolerance after Eisenstat and Walker,
+/// asked for instead. The shift s is 0 while K is positive definite, else one and a half times the
+/// lowest eigenvalue's absolute value (TangentShift); with a projection of K on demand, that is
+/// tried first. Conjugate gradient is solved inexactly with a tolerance after Eisenstat and Walker,
 /// "Choosing the forcing terms in an inexact Newton method", SIAM J. Sci. Comput. 17 (1996),
 /// choice 2.
 ///

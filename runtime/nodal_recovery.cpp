@@ -4,7 +4,9 @@
 
 #include <Eigen/Dense>
 #include <Eigen/IterativeLinearSolvers>
+#include <cmath>
 #include <limits>
+#include <set>
 
 #include "runtime/error.h"
 
@@ -125,6 +127,7 @@ NodalRecovery::NodalRecovery(const Mesh& mesh, std::span<const ModelPart> parts,
         if (slot == none) {
           slot = static_cast<std::int32_t>(nodes_.size());
           nodes_.push_back(node);
+          zones_.push_back(zone_of[e]);
         }
         slots_.push_back(slot);
       }
@@ -198,17 +201,28 @@ std::vector<double> NodalRecovery::project(std::span<const double> values, int w
   solver.setMaxIterations(most_iterations);
   Eigen::Map<RowMatrix> columns(result.data(), static_cast<Eigen::Index>(num_slots()), width);
   for (Eigen::Index k = 0; k < width; ++k) {
-    const Eigen::VectorXd right = columns.col(k);
-    if (!right.allFinite()) {
-      columns.col(k).setConstant(std::numeric_limits<double>::quiet_NaN());
-      continue;
+    // Zones have no entries of the matrix in common: what is not finite in one is left out.
+    Eigen::VectorXd right = columns.col(k);
+    std::set<int> lost;
+    for (Eigen::Index slot = 0; slot < right.size(); ++slot) {
+      if (!std::isfinite(right[slot])) lost.insert(zones_[static_cast<std::size_t>(slot)]);
+    }
+    const auto is_lost = [&](Eigen::Index slot) {
+      return !lost.empty() && lost.contains(zones_[static_cast<std::size_t>(slot)]);
+    };
+    for (Eigen::Index slot = 0; slot < right.size(); ++slot) {
+      if (is_lost(slot)) right[slot] = 0;
     }
     columns.col(k) = solver.solve(right);
-    if (solver.info() == Eigen::Success) continue;
-    throw WorkError(
-        fmt::format("projection onto the nodes: no solution after {} iterations of conjugate "
-                    "gradient (relative residual {:.1e})",
-                    solver.iterations(), solver.error()));
+    if (solver.info() != Eigen::Success) {
+      throw WorkError(
+          fmt::format("projection onto the nodes: no solution after {} iterations of conjugate "
+                      "gradient (relative residual {:.1e})",
+                      solver.iterations(), solver.error()));
+    }
+    for (Eigen::Index slot = 0; slot < right.size(); ++slot) {
+      if (is_lost(slot)) columns(slot, k) = std::numeric_limits<double>::quiet_NaN();
+    }
   }
   return result;
 }

@@ -75,6 +75,7 @@ class NodalRecovery {
   std::vector<std::size_t> first_point_;            // [element]
   std::vector<std::int32_t> slots_;                 // of each element's nodes
   std::vector<std::int32_t> nodes_;                 // [slot]
+  std::vector<int> zones_;                          // [slot]
   std::vector<double> volumes_;                     // [slot]: of its elements
   Eigen::SparseMatrix<double> mass_;                // empty until needed
 };

@@ -125,11 +125,8 @@ void SparseCholesky::give_free(VectorRef x) const {
 }
 
 LinearSolveReport SparseCholesky::solve(const ConstVectorRef& b, double, VectorRef x) {
-  const Stopwatch watch(times_.solve);
   LinearSolveReport report;
-  take_free(b);
-  factor_->solve(free_b_, free_x_);
-  give_free(x);
+  substitute(b, x);
   // A pivot that is not a number passes Eigen's test of its sign, but not this one.
   report.positive_definite = free_x_.allFinite();
   report.converged = report.positive_definite;
@@ -137,9 +134,17 @@ LinearSolveReport SparseCholesky::solve(const ConstVectorRef& b, double, VectorR
   return report;
 }
 
+void SparseCholesky::substitute(const ConstVectorRef& b, VectorRef x) {
+  const Stopwatch watch(times_.solve);
+  take_free(b);
+  factor_->solve(free_b_, free_x_);
+  give_free(x);
+}
+
 // By inverse iteration with the factor of K + A + s D, from the mode found last, else from the
 // solution in free_x_, where modes that are hardly stiff prevail.
 double SparseCholesky::lowest_curvature() {
+  const Stopwatch watch(times_.solve);
   take_free(shift_scale(diagonal_));
   const Vector scale = free_b_;
   if (mode_.size() == 0) mode_ = free_x_;

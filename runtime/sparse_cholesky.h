@@ -20,6 +20,8 @@ class SparseCholesky final : public LinearSolver {
   void forget() override { mode_.resize(0); }
   [[nodiscard]] bool set_shift(double shift) override;
   LinearSolveReport solve(const ConstVectorRef& b, double tolerance, VectorRef x) override;
+  /// x = (L L^T)^-1 b of the last factor, and no more: for a preconditioner.
+  void substitute(const ConstVectorRef& b, VectorRef x);
   /// x = about A^-1 b (CholeskyFactor::solve_roughly).
   void solve_roughly(const ConstVectorRef& b, VectorRef x);
   /// Of K + A + s D, which a factorisation found not to be positive definite; none if the factor

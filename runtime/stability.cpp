@@ -1,5 +1,6 @@
 #include "runtime/stability.h"
 
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -8,7 +9,8 @@
 namespace elastogen {
 namespace {
 
-constexpr double probe_tolerance = 1e-3;  // a mode's part of the right side is about 1 / sqrt(n)
+// Of a right side of all n modes each is about 1 / sqrt(n): it must be solved for, not left over.
+constexpr double part_of_a_mode = 0.1;
 
 // Pivots have errors of some ulp of the diagonal, which are no instability.
 double rounding_of_pivots(const Model& model) {
@@ -17,17 +19,20 @@ double rounding_of_pivots(const Model& model) {
                       : std::numeric_limits<double>::epsilon());
 }
 
-// Conjugate gradient's answer to a right side of all modes: whether it met negative curvature.
-bool meets_negative_curvature(LinearSolver& solver, const Constraints& constraints) {
+// Conjugate gradient's answer to a right side of all modes: whether it solved for them all without
+// meeting negative curvature.
+bool finds_all_stiff(LinearSolver& solver, const Constraints& constraints) {
   solver.update();
-  if (!solver.set_shift(0)) return true;
+  if (!solver.set_shift(0)) return false;
   Vector b(static_cast<Eigen::Index>(constraints.num_dofs()));
   std::minstd_rand random;  // the same numbers everywhere, unlike those of distributions
   for (double& value : b) {
     value = static_cast<double>(random()) / std::minstd_rand::max() - 0.5;
   }
   Vector x = Vector::Zero(b.size());
-  return !solver.solve(b, probe_tolerance, x).positive_definite;
+  const double tolerance = part_of_a_mode / std::sqrt(static_cast<double>(constraints.num_free()));
+  const LinearSolveReport probe = solver.solve(b, tolerance, x);
+  return probe.positive_definite && probe.converged;
 }
 
 }  // namespace
@@ -37,7 +42,7 @@ StabilityReport check_stability(LinearSolver& solver, Model& model, const Constr
   StabilityReport report;
   if (solver.kind() == LinearSolverKind::conjugate_gradient) {
     if (!may_factorize) return report;
-  } else if (!meets_negative_curvature(solver, constraints)) {
+  } else if (finds_all_stiff(solver, constraints)) {
     report.stability = Stability::stable;
     return report;
   }

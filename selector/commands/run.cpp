@@ -167,11 +167,13 @@ std::vector<std::string> resume_warnings(const Scene& scene, const Problem& prob
         "run that was not interrupted",
         start.threads, threads));
   }
-  if (scene.dynamics && keeps_factors(problem.solver.kind)) {
+  const LinearSolverKind method =
+      start.motion && start.motion->fell_back ? LinearSolverKind::cholesky_cg : problem.solver.kind;
+  if (scene.dynamics && keeps_factors(method)) {
     warnings.push_back(fmt::format(
         "the factor that '{}' had is not kept: from here results agree with those of a run that "
         "was not interrupted to the linear tolerance, not to the last bit",
-        solver_name(problem.solver.kind)));
+        solver_name(method)));
   }
   if (scene.skip.sleep.motion > 0) {
     warnings.emplace_back(

@@ -34,22 +34,27 @@ std::string keyword_of(std::string_view text) {
   return keyword;
 }
 
+/// The next comma that is not within quotes, or the end. A quote that nothing closes is a character
+/// as others.
+std::size_t field_end(std::string_view text, std::size_t from) {
+  for (std::size_t at = from; at < text.size(); ++at) {
+    if (text[at] == ',') return at;
+    if (text[at] != '"') continue;
+    const std::size_t closing = text.find('"', at + 1);
+    if (closing != std::string_view::npos) at = closing;
+  }
+  return text.size();
+}
+
 std::vector<std::string_view> split(std::string_view text) {
   std::vector<std::string_view> fields;
   for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t to = std::min(text.find(',', from), text.size());
+    const std::size_t to = field_end(text, from);
     fields.push_back(trimmed(text.substr(from, to - from)));
     from = to + 1;
   }
   while (!fields.empty() && fields.back().empty()) fields.pop_back();
   return fields;
-}
-
-std::string without_quotes(std::string_view text) {
-  if (text.size() >= 2 && text.front() == '"' && text.back() == '"') {
-    text = text.substr(1, text.size() - 2);
-  }
-  return std::string(text);
 }
 
 class Reader {
@@ -131,7 +136,13 @@ void DeckPlace::fail(const std::string& message) const {
   throw InputError(fmt::format("{}:{}: {}", file->string(), line, message));
 }
 
-std::vector<std::string_view> DeckLine::fields() const { return split(text); }
+std::vector<std::string_view> DeckLine::fields() const {
+  std::vector<std::string_view> fields = split(text);
+  for (std::string_view& field : fields) {
+    if (const std::string_view label = without_quotes(field); !is_number(label)) field = label;
+  }
+  return fields;
+}
 
 std::uint64_t DeckLine::integer(std::string_view field) const {
   std::uint64_t value = 0;
@@ -176,6 +187,15 @@ std::string in_capitals(std::string_view text) {
     if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
   }
   return capitals;
+}
+
+std::string_view without_quotes(std::string_view text) {
+  const bool is_quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
+  return is_quoted ? text.substr(1, text.size() - 2) : text;
+}
+
+bool is_number(std::string_view field) {
+  return !field.empty() && field.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
 AbaqusDeck read_abaqus_deck(const fs::path& file) { return Reader(file).take(); }

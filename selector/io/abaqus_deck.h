@@ -27,6 +27,8 @@ struct DeckLine {
   DeckPlace place;
 
   /// What stands between commas, without blanks around; empty ones at the end are left out.
+  /// Labels come without their quotes, in which commas may be, but for those of digits only: "12"
+  /// is a label, 12 a number.
   [[nodiscard]] std::vector<std::string_view> fields() const;
   /// @throws InputError  for a field that is no such number
   [[nodiscard]] std::uint64_t integer(std::string_view field) const;
@@ -56,6 +58,12 @@ struct AbaqusDeck {
 
 /// Keywords, parameters and labels are the same in small letters and in capitals.
 [[nodiscard]] std::string in_capitals(std::string_view text);
+
+/// Without the quotes around it, if any.
+[[nodiscard]] std::string_view without_quotes(std::string_view text);
+
+/// Labels of sets begin with a letter or are quoted.
+[[nodiscard]] bool is_number(std::string_view field);
 
 /// @throws InputError  a file that cannot be read; one that includes itself; data before the first
 ///                     keyword

@@ -60,16 +60,18 @@ std::optional<AbaqusElement> find_abaqus_element(std::string_view type) {
     const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
     if (error != std::errc() || number < 2 || number > 100) continue;
     AbaqusElement found{family.dim, num_nodes_of(family.prefix, number), {}};
-    const bool may_be_ours =
-        family.prefix == "C3D" || family.prefix == "CPE" || family.prefix == "CPS";
     for (const OwnElement& own : own_elements) {
-      if (may_be_ours && own.dim == found.dim && own.num_nodes == found.num_nodes) {
+      if (is_solid_or_plane(type) && own.dim == found.dim && own.num_nodes == found.num_nodes) {
         found.element = own.element;
       }
     }
     return found;
   }
   return std::nullopt;
+}
+
+bool is_solid_or_plane(std::string_view type) {
+  return type.starts_with("C3D") || type.starts_with("CPE") || type.starts_with("CPS");
 }
 
 std::vector<std::vector<int>> abaqus_faces(std::string_view element) {

@@ -24,6 +24,9 @@ struct AbaqusElement {
 /// @return      nothing for another type
 [[nodiscard]] std::optional<AbaqusElement> find_abaqus_element(std::string_view type);
 
+/// Solids C3D*, and plane elements CPE* and CPS*: families of which we have elements.
+[[nodiscard]] bool is_solid_or_plane(std::string_view type);
+
 /// Local nodes of face S1, S2, ... of one of our elements, as ElementTopology::faces has them: S1
 /// is the first. Edges of plane elements. Source: Abaqus Analysis User's Guide, "Three-dimensional
 /// solid element library" and "Two-dimensional solid element library"; the CalculiX manual has the

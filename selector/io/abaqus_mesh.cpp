@@ -10,6 +10,7 @@
 
 #include "selector/io/abaqus_deck.h"
 #include "selector/io/abaqus_elements.h"
+#include "selector/io/abaqus_keywords.h"
 #include "selector/io/abaqus_sets.h"
 
 namespace elastogen::selector {
@@ -29,33 +30,9 @@ struct DeckElement {
 
 using Elements = std::map<std::uint64_t, DeckElement>;
 using Nodes = std::map<std::uint64_t, std::array<double, 3>>;
+using NodesOfNames = std::map<std::string, std::set<std::uint64_t>>;  // by name in capitals
 
-/// Cards whose meaning the scene must give instead.
-bool is_of_the_model(std::string_view keyword) {
-  static const std::set<std::string_view> keywords = {"AMPLITUDE",
-                                                      "BOUNDARY",
-                                                      "CLOAD",
-                                                      "CONTACT PAIR",
-                                                      "COUPLING",
-                                                      "DLOAD",
-                                                      "DSLOAD",
-                                                      "EQUATION",
-                                                      "GAP",
-                                                      "INITIAL CONDITIONS",
-                                                      "MATERIAL",
-                                                      "MPC",
-                                                      "ORIENTATION",
-                                                      "RIGID BODY",
-                                                      "SOLID SECTION",
-                                                      "STEP",
-                                                      "SURFACE INTERACTION",
-                                                      "TEMPERATURE",
-                                                      "TIE",
-                                                      "TRANSFORM"};
-  return keywords.contains(keyword);
-}
-
-class MeshReader {
+class DeckMeshReader {
  public:
   RawMesh read(const AbaqusDeck& deck) {
     for (const DeckCard& card : deck.cards) take(card);
@@ -66,6 +43,7 @@ class MeshReader {
     for (const auto& [number, element] : elements_) element_numbers_.push_back(number);
     add_element_sets();
     add_elements();
+    collect_set_boundaries();
     add_surfaces();
     add_node_sets();
     add_notes();
@@ -96,7 +74,7 @@ class MeshReader {
           "*{} makes or moves nodes or elements by rule, which is not read: write all nodes and "
           "elements out",
           keyword));
-    } else if (is_of_the_model(keyword) &&
+    } else if (!is_left_out_silently(keyword) &&
                std::find(left_out_.begin(), left_out_.end(), keyword) == left_out_.end()) {
       left_out_.push_back(keyword);
     }
@@ -229,6 +207,33 @@ class MeshReader {
     }
   }
 
+  /// Elements of lower dimension are boundaries under the names of their sets.
+  void collect_set_boundaries() {
+    for (const auto& [number, element] : elements_) {
+      if (types_[element.type].element.dim == body_dim_) continue;
+      for (const std::int32_t group : element.sets) {
+        const std::string& name = mesh_.groups[static_cast<std::size_t>(group)].name;
+        set_nodes_[in_capitals(name)].insert(element.nodes.begin(), element.nodes.end());
+      }
+    }
+  }
+
+  /// Whether others have a boundary of this name, which then must have the same nodes: the two are
+  /// one for the scene.
+  static bool is_among(const NodesOfNames& others, std::string_view other, std::string_view keyword,
+                       const std::string& name, const std::set<std::uint64_t>& nodes,
+                       const DeckPlace& place) {
+    const auto found = others.find(in_capitals(name));
+    if (found == others.end()) return false;
+    if (found->second != nodes) {
+      place.fail(fmt::format(
+          "the *{} and the {} '{}' have different nodes, and both are the boundary of this name: "
+          "rename one",
+          keyword, other, name));
+    }
+    return true;
+  }
+
   /// Nodes of the face of an element that a label names.
   std::vector<std::uint64_t> face_of(std::uint64_t number, std::string_view label,
                                      const DeckPlace& place) const {
@@ -277,6 +282,12 @@ class MeshReader {
                           name));
         }
       }
+    }
+    for (const DeckCard* card : surfaces_) {
+      const std::string& name = card->get("NAME");
+      const auto nodes = surface_nodes_.find(in_capitals(name));
+      if (nodes == surface_nodes_.end()) continue;
+      (void)is_among(set_nodes_, set_boundary, "SURFACE", name, nodes->second, card->place);
     }
   }
 
@@ -339,14 +350,11 @@ class MeshReader {
     for (const DeckSet& set : node_sets_.all()) {
       const std::set<std::uint64_t> numbers = nodes_of(set);
       if (set.internal) continue;
-      const auto surface = surface_nodes_.find(in_capitals(set.name));
-      if (surface != surface_nodes_.end()) {
-        if (surface->second == numbers) continue;
-        set.members.front().place.fail(fmt::format(
-            "the *NSET and the *SURFACE '{}' have different nodes, and both are the boundary of "
-            "this name: rename one",
-            set.name));
-      }
+      const bool has_surface =
+          is_among(surface_nodes_, "*SURFACE", "NSET", set.name, numbers, set.place);
+      const bool has_elements =
+          is_among(set_nodes_, set_boundary, "NSET", set.name, numbers, set.place);
+      if (has_surface || has_elements) continue;
       for (const std::uint64_t node : numbers) add_to_list(0, set.name, node, {node});
     }
   }
@@ -366,6 +374,8 @@ class MeshReader {
     }
   }
 
+  static constexpr std::string_view set_boundary = "elements of lower dimension in the *ELSET";
+
   RawMesh mesh_;
   Nodes nodes_;
   Elements elements_;
@@ -373,7 +383,7 @@ class MeshReader {
   AbaqusSets node_sets_{"NSET"}, element_sets_{"ELSET"};
   std::vector<std::uint64_t> element_numbers_;
   std::vector<const DeckCard*> surfaces_;
-  std::map<std::string, std::set<std::uint64_t>> surface_nodes_;  // by name in capitals
+  NodesOfNames set_nodes_, surface_nodes_;
   std::map<std::pair<std::string, std::size_t>, std::size_t> boundary_lists_;
   std::vector<std::string> left_out_;
   int body_dim_ = 0;
@@ -383,7 +393,7 @@ class MeshReader {
 
 RawMesh read_abaqus_mesh(const std::filesystem::path& file) {
   const AbaqusDeck deck = read_abaqus_deck(file);
-  return MeshReader().read(deck);
+  return DeckMeshReader().read(deck);
 }
 
 }  // namespace elastogen::selector

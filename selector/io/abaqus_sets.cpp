@@ -8,18 +8,14 @@
 
 namespace elastogen::selector {
 
-bool is_number(std::string_view field) {
-  return !field.empty() && field.find_first_not_of("0123456789") == std::string_view::npos;
-}
-
-DeckSet& AbaqusSets::get(const std::string& name) {
+DeckSet& AbaqusSets::get(const std::string& name, const DeckPlace& place) {
   const auto [entry, is_new] = index_.emplace(in_capitals(name), sets_.size());
-  if (is_new) sets_.push_back({name, false, {}});
+  if (is_new) sets_.push_back({name, false, place, {}});
   return sets_[entry->second];
 }
 
 const DeckSet& AbaqusSets::find(const std::string& name, const DeckPlace& place) const {
-  const auto found = index_.find(in_capitals(name));
+  const auto found = index_.find(in_capitals(without_quotes(name)));
   if (found != index_.end()) return sets_[found->second];
   std::vector<std::string> names;
   for (const DeckSet& set : sets_) names.push_back(set.name);
@@ -28,11 +24,12 @@ const DeckSet& AbaqusSets::find(const std::string& name, const DeckPlace& place)
 
 void AbaqusSets::add(const DeckCard& card, std::uint64_t number, const DeckPlace& place) {
   const std::string* name = card.find(keyword_);
-  if (name != nullptr) get(*name).members.push_back({number, number, 1, "", false, place});
+  if (name == nullptr) return;
+  get(*name, card.place).members.push_back({number, number, 1, "", false, place});
 }
 
 void AbaqusSets::take(const DeckCard& card) {
-  DeckSet& set = get(card.get(keyword_));
+  DeckSet& set = get(card.get(keyword_), card.place);
   set.internal = set.internal || card.find("INTERNAL") != nullptr;
   if (keyword_ == "NSET" && card.find("ELSET") != nullptr) {
     set.members.push_back({0, 0, 1, card.get("ELSET"), true, card.place});

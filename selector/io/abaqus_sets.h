@@ -24,6 +24,7 @@ struct SetMember {
 struct DeckSet {
   std::string name;       ///< as first spelled
   bool internal = false;  ///< made by Abaqus/CAE for its own use
+  DeckPlace place;        ///< of its first card
   std::vector<SetMember> members;
 };
 
@@ -54,14 +55,11 @@ class AbaqusSets {
                                                    std::size_t depth = 0) const;
 
  private:
-  DeckSet& get(const std::string& name);
+  DeckSet& get(const std::string& name, const DeckPlace& place);
 
   std::string keyword_;
   std::map<std::string, std::size_t> index_;  // by name in capitals
   std::vector<DeckSet> sets_;
 };
-
-/// Labels of sets begin with a letter.
-[[nodiscard]] bool is_number(std::string_view field);
 
 }  // namespace elastogen::selector

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "runtime/error.h"
+#include "selector/io/abaqus_elements.h"
 #include "selector/io/element_topology.h"
 #include "selector/io/mesh_formats.h"
 
@@ -51,6 +52,34 @@ int dimension_of(const fs::path& file, const RawMesh& raw) {
   return dim;
 }
 
+/// What makes elements of these kinds such as can be computed.
+std::string remedy_for_types(MeshReader reader, int dim,
+                             const std::map<std::string, std::size_t>& types) {
+  std::vector<std::string> known;
+  for (const ElementTopology& topology : element_topologies()) {
+    if (topology.dim == dim) known.emplace_back(topology.element);
+  }
+  const std::string these = fmt::format("these can: {}; ", fmt::join(known, ", "));
+  if (reader != MeshReader::abaqus) {
+    return these +
+           "mesh with elements of first order (gmsh: Mesh.ElementOrder = 1), or tetrahedra and "
+           "hexahedra of second order without nodes inside of faces (Mesh.ElementOrder = 2, "
+           "Mesh.SecondOrderIncomplete = 1)";
+  }
+  const auto is_of_our_family = [](const auto& type) { return is_solid_or_plane(type.first); };
+  std::vector<std::string> remedies;
+  if (!std::all_of(types.begin(), types.end(), is_of_our_family)) {
+    remedies.emplace_back(
+        "shells, membranes, beams and axisymmetric elements are not computed; use solid (C3D) or "
+        "plane (CPE, CPS) elements");
+  }
+  if (std::any_of(types.begin(), types.end(), is_of_our_family)) {
+    remedies.push_back(these + (dim == 3 ? "use elements of first order, or C3D10 or C3D20"
+                                         : "use elements of first order"));
+  }
+  return fmt::format("{}", fmt::join(remedies, "; "));
+}
+
 void check_types(const fs::path& file, const RawMesh& raw, int dim) {
   std::map<std::string, std::size_t> unknown;
   for (const RawElements& elements : raw.elements) {
@@ -58,18 +87,13 @@ void check_types(const fs::path& file, const RawMesh& raw, int dim) {
     unknown[elements.type_name] += elements.numbers.size();
   }
   if (unknown.empty()) return;
-  std::vector<std::string> found, known;
+  std::vector<std::string> found;
   for (const auto& [name, count] : unknown) {
     found.push_back(fmt::format("{} of type '{}'", count, name));
   }
-  for (const ElementTopology& topology : element_topologies()) {
-    if (topology.dim == dim) known.emplace_back(topology.element);
-  }
-  throw InputError(fmt::format(
-      "{}: elements that cannot be computed: {}; these can: {}; mesh with elements of first order "
-      "(gmsh: Mesh.ElementOrder = 1), or tetrahedra and hexahedra of second order without nodes "
-      "inside of faces (Mesh.ElementOrder = 2, Mesh.SecondOrderIncomplete = 1)",
-      file.string(), fmt::join(found, ", "), fmt::join(known, ", ")));
+  throw InputError(fmt::format("{}: elements that cannot be computed: {}; {}", file.string(),
+                               fmt::join(found, ", "),
+                               remedy_for_types(mesh_format(file).reader, dim, unknown)));
 }
 
 /// The draft's boundary of a name, made where it is new.

@@ -121,13 +121,22 @@ std::vector<std::string> log_lines(const std::string& kind) {
   return lines;
 }
 
+/// As mesh_formats takes it: in lower or upper case.
+bool is_medit(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return extension == ".mesh";
+}
+
 RawMesh read_mesh(const std::string& file) {
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::merge(file);
   RawMesh mesh;
   GroupIndices groups = read_groups(mesh);
   read_nodes(mesh);
-  read_elements(groups, std::filesystem::path(file).extension() == ".mesh", mesh);
+  read_elements(groups, is_medit(file), mesh);
   for (const std::string& warning : log_lines("Warning")) mesh.notes.push_back("gmsh: " + warning);
   return mesh;
 }

@@ -11,7 +11,7 @@
 namespace elastogen::selector {
 namespace {
 
-constexpr int format_version = 3;
+constexpr int format_version = 4;
 
 nlohmann::json bytes_of(const Vector& vector) {
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(vector.size()) * sizeof(double));
@@ -32,12 +32,13 @@ nlohmann::json to_json(const MotionState& state) {
           {"u", bytes_of(state.u)},
           {"v", bytes_of(state.v)},
           {"a", bytes_of(state.a)},
-          {"a_before", bytes_of(state.a_before)}};
+          {"a_before", bytes_of(state.a_before)},
+          {"fell_back", state.fell_back}};
 }
 
 MotionState motion_of(const nlohmann::json& json) {
-  return {json.at("step"), vector_of(json.at("u")), vector_of(json.at("v")),
-          vector_of(json.at("a")), vector_of(json.at("a_before"))};
+  return {json.at("step"),         vector_of(json.at("u")),        vector_of(json.at("v")),
+          vector_of(json.at("a")), vector_of(json.at("a_before")), json.at("fell_back")};
 }
 
 nlohmann::json to_json(const LoadState& state) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "selector/scene/body_state.h"
@@ -129,6 +130,23 @@ std::vector<double> FieldEvaluator::element_means() const {
   return means;
 }
 
+std::optional<GreatestAtPoints> FieldEvaluator::greatest(std::string_view field) const {
+  const auto at = std::find_if(fields_.begin(), fields_.end(),
+                               [&](const OutputField* one) { return one->name == field; });
+  if (at == fields_.end()) return std::nullopt;
+  std::optional<GreatestAtPoints> found;
+  std::array<double, 9> numbers{};
+  for (std::size_t e = 0; e + 1 < points_.first.size(); ++e) {
+    for (std::size_t p = points_.first[e]; p < points_.first[e + 1]; ++p) {
+      write_field(**at, quantity_of(**at, &values_[p * static_cast<std::size_t>(width_)]),
+                  numbers.data());
+      if (!std::isfinite(numbers[0]) || (found && numbers[0] <= found->value)) continue;
+      found = {numbers[0], e};
+    }
+  }
+  return found;
+}
+
 std::vector<double> FieldEvaluator::slot_values(NodalMethod method) {
   return method == NodalMethod::average ? recovery().average(values_, width_)
                                         : recovery().project(values_, width_);
@@ -178,6 +196,7 @@ FieldValues FieldEvaluator::at(const Vector& displacement) {
   }
   if (!needs_stress(scene_)) return fields;
   evaluate(displacement);
+  fields.von_mises = greatest("von_mises");
   if (settings_.at_elements) add_arrays(element_means(), "", fields.elements);
   if (settings_.at_points) add_arrays(values_, "", fields.points);
   if (settings_.at_nodes) {

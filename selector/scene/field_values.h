@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "runtime/model.h"
@@ -19,10 +20,17 @@ struct FieldArray {
   std::vector<double> values;
 };
 
+/// Where a number is greatest among the quadrature points of all elements.
+struct GreatestAtPoints {
+  double value = 0;
+  std::size_t element = 0;
+};
+
 /// What files show of a state beside the vectors of its nodes. Arrays at nodes end in the name of
 /// the nodal method: "von_mises_average".
 struct FieldValues {
   std::vector<FieldArray> elements, nodes, points;
+  std::optional<GreatestAtPoints> von_mises;  ///< where it is among the fields, and finite
 };
 
 /// A number for each node of each element, in the mesh's order of elements, for a picture.
@@ -66,6 +74,7 @@ class FieldEvaluator {
   void evaluate(const Vector& displacement);
   [[nodiscard]] NodalRecovery& recovery();
   [[nodiscard]] std::vector<double> element_means() const;
+  [[nodiscard]] std::optional<GreatestAtPoints> greatest(std::string_view field) const;
   [[nodiscard]] std::vector<double> slot_values(NodalMethod method);
   void add_arrays(std::span<const double> quantities, const std::string& suffix,
                   std::vector<FieldArray>& arrays) const;

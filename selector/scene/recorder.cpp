@@ -93,11 +93,15 @@ void Recorder::open_history(std::ios::openmode mode) {
   }
 }
 
-void Recorder::begin_history() {
-  open_history(std::ios::trunc);
+std::string Recorder::header() const {
   std::vector<std::string> fields;
   for (const HistoryColumn& column : columns_) fields.push_back(csv_field(column.name));
-  append(join(fields, ",") + "\n");
+  return join(fields, ",");
+}
+
+void Recorder::begin_history() {
+  open_history(std::ios::trunc);
+  append(header() + "\n");
 }
 
 void Recorder::append(const std::string& line) {
@@ -114,6 +118,8 @@ void Recorder::start() {
   fs::remove(checkpoint_file(folder_), error);
   fs::remove(folder_ / series_index, error);
   fs::remove(folder_ / points_index, error);
+  fs::remove(folder_ / points_file, error);
+  fs::remove(folder_ / stress_picture, error);
   fs::remove(history_file(), error);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / series_folder, error)) {
     const std::string name = entry.path().filename().string();
@@ -137,6 +143,15 @@ void Recorder::resume(const Checkpoint& checkpoint) {
   if (const auto size = fs::file_size(history_file(), error); error || size < history_bytes_) {
     throw InputError(fmt::format("{}: is missing or too short: start without --resume",
                                  history_file().string()));
+  }
+  std::string kept;
+  std::getline(std::ifstream(history_file()), kept);
+  if (kept != header()) {
+    throw InputError(
+        fmt::format("{}: its columns are '{}', and the scene now asks for '{}': give [output] and "
+                    "probes as they "
+                    "were, or start without --resume",
+                    history_file().string(), kept, header()));
   }
   fs::resize_file(history_file(), history_bytes_, error);
   open_history(std::ios::app);
@@ -187,11 +202,13 @@ void Recorder::record_series(std::int64_t step, double time, const BodyState& st
   series_.push_back({time, name});
   if (scene_.output.fields.at_points) {
     write_points(folder_ / step_file("points", step), state, fields_, fields);
-    // A file of points beside every file of the body.
+    // A file of points beside every file of the body, but for those before a resumption that
+    // asked for points first.
     std::vector<SeriesFile> points = series_;
     for (SeriesFile& file : points) {
       file.name.replace(file.name.find("/step_"), 6, "/points_");
     }
+    std::erase_if(points, [&](const SeriesFile& file) { return !fs::exists(folder_ / file.name); });
     write_pvd(folder_ / points_index, points);
   }
   write_pvd(folder_ / series_index, series_);

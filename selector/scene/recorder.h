@@ -14,6 +14,10 @@
 
 namespace elastogen::selector {
 
+/// Results that an earlier run may have left where this one has none.
+inline constexpr const char* points_file = "points.vtu";
+inline constexpr const char* stress_picture = "stress.png";
+
 /// Which steps are recorded.
 struct RecordIntervals {
   std::int64_t series = 0;   ///< every so many steps; 0: never
@@ -41,7 +45,7 @@ class Recorder {
   /// @throws WorkError  when the folder cannot be written
   void start();
   /// Goes on from where a checkpoint was.
-  /// @throws InputError  when files of the record are missing
+  /// @throws InputError  when files of the record are missing, or the history has other columns
   void resume(const Checkpoint& checkpoint);
 
   /// Whether anything is recorded of a step.
@@ -66,6 +70,7 @@ class Recorder {
   using Clock = std::chrono::steady_clock;
 
   void open_history(std::ios::openmode mode);
+  [[nodiscard]] std::string header() const;  // of history.csv
   void begin_history();
   void append(const std::string& line);
   void record_history(std::int64_t step, double time, const BodyState& state);

@@ -186,20 +186,6 @@ Json field_json(const FieldArray& field) {
   return components;
 }
 
-/// The element where a scalar is greatest; none where no element has it.
-struct Greatest {
-  double value = 0;
-  std::size_t element = 0;
-};
-std::optional<Greatest> greatest_in_elements(const FieldValues& fields, std::string_view name) {
-  for (const FieldArray& array : fields.elements) {
-    if (array.shape.name != name) continue;
-    const auto at = std::max_element(array.values.begin(), array.values.end());
-    return Greatest{*at, static_cast<std::size_t>(at - array.values.begin())};
-  }
-  return std::nullopt;
-}
-
 Json probes_json(const SceneResults& results, std::size_t dim) {
   Json list = Json::array();
   for (const ProbeResult& probe : results.probes) {
@@ -288,11 +274,12 @@ std::string results_text(const RunSummary& summary) {
                         vector_text(std::span(probe.displacement).first(dim), 6),
                         vector_text(std::span(probe.reaction).first(dim), 1));
   }
-  if (const auto greatest = greatest_in_elements(results.fields, "von_mises")) {
+  if (const auto& greatest = results.fields.von_mises) {
     const SiPrefix prefix = si_prefix(greatest->value);
-    text += fmt::format("  von Mises stress    at most {:.6g} {}Pa, of element {}\n",
-                        prefix.factor * greatest->value, prefix.symbol,
-                        summary.problem->mesh.mesh.element_number(greatest->element));
+    text += fmt::format(
+        "  von Mises stress    at most {:.6g} {}Pa at quadrature points, in element {}\n",
+        prefix.factor * greatest->value, prefix.symbol,
+        summary.problem->mesh.mesh.element_number(greatest->element));
   }
   if (results.curve) {
     text += fmt::format("  tip deflection      {} = {:.6f} m, u_x = {:.6f} m\n",
@@ -445,7 +432,7 @@ Json summary_json(const RunSummary& summary) {
                             {summary.motion ? "time" : "load_factor", summary.resumed_from->time}};
   }
   json["probes"] = probes_json(results, dim);
-  if (const auto greatest = greatest_in_elements(results.fields, "von_mises")) {
+  if (const auto& greatest = results.fields.von_mises) {
     json["greatest_von_mises"] = {{"value", greatest->value}, {"element", greatest->element}};
   }
   if (results.curve)

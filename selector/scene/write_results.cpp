@@ -92,7 +92,7 @@ void write_pictures(RunSummary& summary, const Recorder& recorder) {
     draw_deformed(file, mesh, displacement, displacement_colours(mesh, displacement), scene.title);
   });
   if (results.picture) {
-    try_picture("stress.png", summary, [&](const std::filesystem::path& file) {
+    try_picture(stress_picture, summary, [&](const std::filesystem::path& file) {
       draw_deformed(file, mesh, displacement,
                     {results.picture->title, results.picture->unit, results.picture->values},
                     scene.title);
@@ -123,8 +123,8 @@ void write_results(RunSummary& summary, const Recorder& recorder, FieldEvaluator
                 results.fields);
     summary.files.push_back("result.vtu");
     if (!results.fields.points.empty()) {
-      write_points(summary.folder / "points.vtu", results.state, fields, results.fields);
-      summary.files.push_back("points.vtu");
+      write_points(summary.folder / points_file, results.state, fields, results.fields);
+      summary.files.emplace_back(points_file);
     }
   }
   for (const std::string& file : recorder.files()) summary.files.push_back(file);

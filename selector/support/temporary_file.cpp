@@ -19,6 +19,9 @@ namespace elastogen::selector {
 namespace fs = std::filesystem;
 namespace {
 
+// Hidden files of users have names of many kinds; none has this before a number.
+constexpr std::string_view mark = "elastogen-";
+
 bool is_ending(std::string_view text) {
   if (text == "png" || text == "gnuplot") return true;
   return text.size() == 6 && std::all_of(text.begin(), text.end(),
@@ -32,9 +35,12 @@ std::optional<pid_t> process_of(std::string_view name) {
   const std::size_t middle = name.rfind('.', last - 1);
   if (middle == 0 || middle == 1 || middle == std::string_view::npos) return std::nullopt;
   if (!is_ending(name.substr(last + 1))) return std::nullopt;
+  std::string_view number = name.substr(middle + 1, last - middle - 1);
+  if (!number.starts_with(mark)) return std::nullopt;
+  number.remove_prefix(mark.size());
   pid_t process = 0;
-  const char* const end = name.data() + last;
-  const auto read = std::from_chars(name.data() + middle + 1, end, process);
+  const char* const end = number.data() + number.size();
+  const auto read = std::from_chars(number.data(), end, process);
   if (read.ec != std::errc{} || read.ptr != end || process <= 0) return std::nullopt;
   return process;
 }
@@ -58,7 +64,7 @@ bool is_own_file(const fs::path& path) {
 
 fs::path temporary_beside(const fs::path& file, const std::string& name,
                           const std::string& ending) {
-  return file.parent_path() / fmt::format(".{}.{}.{}", name, ::getpid(), ending);
+  return file.parent_path() / fmt::format(".{}.{}{}.{}", name, mark, ::getpid(), ending);
 }
 
 void remove_left_temporaries(const fs::path& folder) {

@@ -6,8 +6,8 @@
 
 namespace elastogen::selector {
 
-/// ".NAME.PID." + `ending` beside a file: hidden, apart from those of other processes, and on the
-/// same file system, as renaming needs.
+/// ".NAME.elastogen-PID." + `ending` beside a file: hidden, apart from those of other processes,
+/// and on the same file system, as renaming needs.
 /// @param name    of the file, or its stem
 /// @param ending  "png" or "gnuplot" for pictures, "XXXXXX" for mkostemp: what
 ///                `remove_left_temporaries` knows

@@ -89,6 +89,47 @@ TEST_F(Fields, OfAStretchedCubeAreThoseOfTheClosedForm) {
   }
 }
 
+// In the mean of an element as thick as the bar, bending cancels.
+TEST_F(Fields, GreatestVonMisesIsThatOfPointsAndLeavesNothingOfEarlierRuns) {
+  const std::string bar = R"([bar]
+length = 10.0
+width = 1.0
+height = 1.0
+cells = [20, 1, 1]
+[[bar.section]]
+until = 1.0
+association = "stvk-hexa8-q8-none"
+region = "bar"
+[material.bar]
+density = 1000
+young = 1e9
+poisson = 0.0
+[[constraint]]
+plane = { x = 0.0 }
+fixed = ["x", "y", "z"]
+[[load]]
+plane = { x = 10.0 }
+force = [0.0, 0.0, -1000.0]
+[output]
+write = ["vtu"]
+)";
+  ProcessResult result = run_scene(write(bar + "stress_at = [\"elements\", \"points\"]\n"));
+  ASSERT_EQ(result.exit_status, 0) << result.output;
+  EXPECT_TRUE(std::filesystem::exists(out() / "points.vtu"));
+  // M c / I = 6 F L / h^3 at the clamp's surface; linear elements have it at their middle, points
+  // at 1 / sqrt(3) of the way to the surface.
+  const nlohmann::json greatest = summary()["greatest_von_mises"];
+  EXPECT_NEAR(greatest["value"], 60000 * (1 - 0.25 / 10) / std::sqrt(3.0), 3000);
+  EXPECT_EQ(greatest["element"], 0);
+  EXPECT_NE(result.output.find("kPa at quadrature points, in element 0"), std::string::npos)
+      << result.output;
+  write_text_file(out() / "stress.png", "of an earlier run");
+  result = run_scene(write(bar));
+  ASSERT_EQ(result.exit_status, 0) << result.output;
+  EXPECT_FALSE(std::filesystem::exists(out() / "points.vtu"));
+  EXPECT_FALSE(std::filesystem::exists(out() / "stress.png"));
+}
+
 TEST_F(Fields, AreLeftOutWithTheirKernelWhereNoneIsAsked) {
   const ProcessResult result =
       run_scene(write(stretched_cube + "[output]\nfields = []\nwrite = [\"vtu\"]\n"));

@@ -364,6 +364,27 @@ TEST_F(Steps, ResumingRefusesAnotherProblem) {
   EXPECT_EQ(result.exit_status, 0) << result.output;
 }
 
+TEST_F(Steps, ResumingKeepsTheColumnsAndListsFilesOfPointsThatThereAre) {
+  const auto scene = [](const std::string& end, const std::string& output) {
+    return falling_bar + "[dynamics]\nscheme = \"implicit_euler\"\nstep = 0.01\nend = " + end +
+           "\n[output]\nwrite = [\"history\", \"series\"]\nevery = 1\n" + output;
+  };
+  expect_run(scene("0.02", ""));
+  const std::string history = read_text_file(out() / "history.csv", "history");
+  const ProcessResult other = run_scene(write(scene("0.04", "momentum = true\n")), {"--resume"});
+  EXPECT_EQ(other.exit_status, 2);
+  EXPECT_NE(other.output.find("the scene now asks for 'step,time,kinetic_energy,momentum_x"),
+            std::string::npos)
+      << other.output;
+  EXPECT_EQ(read_text_file(out() / "history.csv", "history"), history);
+  const ProcessResult points = run_scene(
+      write(scene("0.04", "stress_at = [\"elements\", \"nodes\", \"points\"]\n")), {"--resume"});
+  EXPECT_EQ(points.exit_status, 0) << points.output;
+  const std::string index = read_text_file(out() / "points.pvd", "index");
+  EXPECT_EQ(index.find("points_000002"), std::string::npos);
+  EXPECT_NE(index.find("points_000003"), std::string::npos);
+}
+
 TEST_F(Steps, ResumingNeedsACheckpoint) {
   const std::string dynamics = "[dynamics]\nscheme = \"implicit_euler\"\nstep = 0.01\nend = 0.05\n";
   ProcessResult result = run_scene(write(falling_bar + dynamics), {"--resume"});

@@ -138,8 +138,8 @@ TEST_P(Tangent, GivesTheSameByEveryKindOfProduct) {
   for (const std::string precision : {"double", "mixed"}) {
     SCOPED_TRACE(precision);
     const ProcessResult result =
-        run_scene(write(pulled_bar + "[solver]\nmethod = \"cg\"\ntangent = \"" + GetParam() + "\"\nprecision = \"" +
-                        precision + "\"\n"));
+        run_scene(write(pulled_bar + "[solver]\nmethod = \"cg\"\ntangent = \"" + GetParam() +
+                        "\"\nprecision = \"" + precision + "\"\n"));
     ASSERT_EQ(result.exit_status, 0) << result.output;
     const nlohmann::json solver = summary()["solver"];
     const nlohmann::json skipped = summary()["skipped_operations"];

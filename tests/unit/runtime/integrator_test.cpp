@@ -273,6 +273,20 @@ TEST(Integrators, LinearSolversAgree) {
   }
 }
 
+TEST(Integrators, GoOnByTheMethodThatTheyFellBackTo) {
+  Body body(true);
+  add_gravity(body.model, std::array{0.0, 0.0, -1.0}, body.load);
+  IntegratorOptions options = options_of(implicit);
+  options.linear_solver.fall_back_after = 1;
+  const auto first = body.integrate(options);
+  EXPECT_FALSE(first->state().fell_back);
+  first->step();
+  EXPECT_TRUE(first->state().fell_back);
+  EXPECT_EQ(first->method(), LinearSolverKind::cholesky_cg);
+  body.start = first->state();
+  EXPECT_EQ(body.integrate(options)->method(), LinearSolverKind::cholesky_cg);
+}
+
 TEST(StableStep, DividesStableFromUnstable) {
   for (const IntegrationScheme scheme : {symplectic, central}) {
     Body body(true);

@@ -126,6 +126,24 @@ TEST(NodalRecovery, PassesOnWhatIsNoNumberWithoutSolvingForIt) {
   EXPECT_TRUE(std::isnan(recovery.project(points, 1).back()));
 }
 
+TEST(NodalRecovery, ProjectsZonesBesideOneThatHasNoNumbers) {
+  const Body body("hexa8");
+  NodalRecovery recovery(body.mesh, body.two_parts(), std::vector<int>{0, 1});
+  std::vector<double> points(8 * body.mesh.num_elements(), 4.0);
+  points[0] = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> slots = recovery.project(points, 1);
+  for (std::size_t e = 0; e < body.mesh.num_elements(); ++e) {
+    for (const std::int32_t slot : recovery.element_slots(e)) {
+      const double value = slots[static_cast<std::size_t>(slot)];
+      if (e < body.mesh.num_elements() / 2) {
+        EXPECT_TRUE(std::isnan(value));
+      } else {
+        EXPECT_NEAR(value, 4, 4e-10);  // the system is solved to 1e-12; M's condition is about 100
+      }
+    }
+  }
+}
+
 TEST(NodalRecovery, NeedsToKnowThePoints) {
   Body body("tet4");
   body.table.points = {};

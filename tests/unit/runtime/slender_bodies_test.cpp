@@ -9,6 +9,7 @@
 
 #include "runtime/loads.h"
 #include "runtime/newton.h"
+#include "runtime/stability.h"
 #include "runtime/tangent_shift.h"
 #include "tests/unit/runtime/test_meshes.h"
 
@@ -129,6 +130,24 @@ TEST(Stability, IsNotCheckedWithoutAFactorUnlessAskedFor) {
   EXPECT_EQ(result.method, LinearSolverKind::conjugate_gradient);
   EXPECT_EQ(result.stability, Stability::not_checked);
   EXPECT_EQ(result.factorizations, 0);
+}
+
+TEST(Stability, IsNotProvedByAProbeThatDoesNotConverge) {
+  const Mesh mesh = bar_mesh("hexa8", {6, 4, 4}, {6, 4, 4});
+  const KernelTable<double> table = ReferenceKernels<Hexa8, 8, false>::table();
+  Model model(mesh, one_part(mesh, table), {.threads = 1});
+  const Constraints constraints = clamp_left(mesh);
+  model.linearize(Vector::Zero(static_cast<Eigen::Index>(model.num_dofs())));
+  LinearSolverOptions options;
+  options.kind = LinearSolverKind::incomplete_cg;
+  for (const int most : {1, 1000}) {
+    options.max_iterations = most;
+    const auto solver = make_linear_solver(options, model, constraints);
+    const StabilityReport report =
+        check_stability(*solver, model, constraints, options.cholesky, false);
+    EXPECT_EQ(report.stability, Stability::stable);
+    EXPECT_EQ(report.factorizations, most == 1 ? 1 : 0);
+  }
 }
 
 // A bar whose systems are so ill-conditioned that one solution leaves much of the residual.

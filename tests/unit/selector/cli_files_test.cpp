@@ -60,19 +60,20 @@ TEST(RemoveLeftTemporaries, TakesThoseOfProcessesThatAreGone) {
   const std::string living = std::to_string(getpid()), parent = std::to_string(getppid());
   std::set<std::string> kept = {"deformed.png",
                                 ".deformed.png",
-                                "deformed." + gone + ".png",
-                                ".notes." + gone + ".txt",
-                                "." + gone + ".png",
-                                ".deformed.0.png",
-                                ".deformed.-" + gone + ".png",
-                                ".deformed." + gone + "x.png",
-                                ".deformed." + living + ".png",
-                                ".summary.json." + parent + ".aB3dE9",
-                                ".folder." + gone + ".png"};
-  fs::create_directory(folder.path() / (".folder." + gone + ".png"));
+                                "deformed.elastogen-" + gone + ".png",
+                                ".notes.elastogen-" + gone + ".txt",
+                                ".elastogen-" + gone + ".png",
+                                ".deformed.elastogen-0.png",
+                                ".deformed.elastogen-.png",
+                                ".deformed.elastogen--" + gone + ".png",
+                                ".deformed.elastogen-" + gone + "x.png",
+                                ".deformed.elastogen-" + living + ".png",
+                                ".summary.json.elastogen-" + parent + ".aB3dE9",
+                                ".folder.elastogen-" + gone + ".png"};
+  fs::create_directory(folder.path() / (".folder.elastogen-" + gone + ".png"));
   std::set<std::string> all = kept;
-  all.insert({".deformed." + gone + ".png", ".deformed." + gone + ".gnuplot",
-              ".summary.json." + gone + ".aB3dE9"});
+  all.insert({".deformed.elastogen-" + gone + ".png", ".deformed.elastogen-" + gone + ".gnuplot",
+              ".summary.json.elastogen-" + gone + ".aB3dE9"});
   for (const std::string& name : all) {
     if (!fs::exists(folder.path() / name)) std::ofstream(folder.path() / name) << "text";
   }
@@ -80,6 +81,17 @@ TEST(RemoveLeftTemporaries, TakesThoseOfProcessesThatAreGone) {
   remove_left_temporaries(folder.path());
   EXPECT_EQ(names_in(folder.path()), kept);
   remove_left_temporaries(folder.path() / "nowhere");
+}
+
+TEST(RemoveLeftTemporaries, LeavesHiddenFilesOfUsers) {
+  const TemporaryFolder folder;
+  const std::string printed = run_process({"sh", "-c", "echo $$"}).output;
+  const std::string gone = printed.substr(0, printed.find('\n'));
+  const std::set<std::string> names = {".notes." + gone + ".backup", ".deformed." + gone + ".png",
+                                       ".a.xelastogen-" + gone + ".backup"};
+  for (const std::string& name : names) std::ofstream(folder.path() / name) << "text";
+  remove_left_temporaries(folder.path());
+  EXPECT_EQ(names_in(folder.path()), names);
 }
 
 /// What a process leaves that is killed while it writes is what is removed.

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "../scene/temporary_scene.h"
@@ -155,6 +156,68 @@ TEST_F(Deck, IsRefusedWithTheLineAndWhatIsWrong) {
   expect_error("*HEADING\n", "", {"deck.inp:1: data before the first keyword"});
 }
 
+TEST_F(Deck, NamesOnceWhatItLeavesOut) {
+  const MeshFile read = read_mesh_file(
+      write(replaced(two_cubes, "*STEP\n",
+                     "*Kinematic Coupling, REF NODE=34\nleft, 1\n*EMBEDDED ELEMENT\nSoft\n"
+                     "*CONTACT\n*PRE-TENSION SECTION\n*KINEMATIC COUPLING\n*EXPANSION\n1e-5\n"
+                     "*STEP\n*STATIC\n*NODE FILE\nU\n*EL PRINT\nS\n*OUTPUT, FIELD\n")),
+      named_);
+  ASSERT_EQ(read.notes.size(), 3U) << ::testing::PrintToString(read.notes);
+  EXPECT_EQ(read.notes[0],
+            "deck.inp: only the mesh is read; left out were *MATERIAL, *KINEMATIC COUPLING, "
+            "*EMBEDDED ELEMENT, *CONTACT, *PRE-TENSION SECTION, *STEP, *BOUNDARY");
+}
+
+TEST_F(Deck, MayHaveQuotedLabels) {
+  std::string text = replaced(two_cubes, "elset=nested\nBOTH\n",
+                              "elset=\"one, two\"\n\"Both\"\n*ELSET, ELSET=\"7\"\n201\n");
+  text = replaced(text, "both, S2", "\"one, two\", S2");
+  text = replaced(text, "201, s4", "\"7\", s4");
+  const MeshFile read = read_mesh_file(write(text), named_);
+  std::map<std::string, std::size_t> faces;
+  for (const MeshBoundary& boundary : read.boundaries) {
+    faces[boundary.name] = boundary.faces.size();
+  }
+  EXPECT_EQ(faces["Top"], 2U);
+  EXPECT_EQ(faces["End"], 1U);
+  EXPECT_EQ(read_mesh_file(write(text), {{"one, two"}, ""}).mesh.region_names,
+            std::vector<std::string>{"one, two"});
+  // A quote alone is a character.
+  expect_words(error_of_file(write(replaced(text, "\"one, two\", S2", "\"one, two, S2"))),
+               {"needs lines of an element"});
+}
+
+TEST_F(Deck, RefusesAnEmptyNodeSetWithTheNameOfASurface) {
+  expect_error("*MATERIAL", "*NSET, NSET=TOP\n*MATERIAL",
+               {"deck.inp:41: the *NSET and the *SURFACE 'TOP' have different nodes"});
+}
+
+/// The cubes with a shell on the first.
+std::string with_shell(const std::string& more) {
+  return replaced(two_cubes, "*MATERIAL",
+                  "*ELEMENT, TYPE=S4, ELSET=lid\n302, 21,22,23,24\n" + more + "*MATERIAL");
+}
+
+TEST_F(Deck, RefusesAnElementSetWithTheNameOfAnotherBoundary) {
+  const std::string elements = "the elements of lower dimension in the *ELSET 'LID' have different";
+  expect_words(error_of_file(write(with_shell("*NSET, NSET=LID\n21, 22\n")), named_),
+               {"deck.inp:43: the *NSET and " + elements, "rename one"});
+  expect_words(error_of_file(write(with_shell("*SURFACE, NAME=LID\n201, S2\n")), named_),
+               {"deck.inp:43: the *SURFACE and " + elements, "rename one"});
+  // Of the same nodes they are one.
+  for (const char* same : {"*NSET, NSET=lid, ELSET=lid\n", "*SURFACE, NAME=lid\n101, S2\n", ""}) {
+    SCOPED_TRACE(same);
+    const MeshFile read = read_mesh_file(write(with_shell(same)), named_);
+    const auto is_lid = [](const MeshBoundary& boundary) { return boundary.name == "lid"; };
+    ASSERT_EQ(std::count_if(read.boundaries.begin(), read.boundaries.end(), is_lid), 1);
+    const auto lid = std::find_if(read.boundaries.begin(), read.boundaries.end(), is_lid);
+    EXPECT_EQ(lid->nodes.size(), 4U);
+  }
+  // A set of solids is a region, and may have the name of a boundary.
+  EXPECT_EQ(error_of_file(write(with_shell("*NSET, NSET=Soft\n21, 22\n")), named_), "");
+}
+
 TEST_F(Deck, MayBePlane) {
   const MeshFile read = read_mesh_file(
       write("*NODE\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n*ELEMENT,TYPE=CPS4,ELSET=plate\n7,1,2,3,4\n"
@@ -170,7 +233,21 @@ TEST_F(Deck, RefusesQuadraticPrismsByName) {
   std::string text = "*NODE\n";
   for (int i = 1; i <= 15; ++i) text += fmt::format("{},{},{},{}\n", i, i % 2, i % 3, i % 5);
   text += "*ELEMENT,TYPE=C3D15\n1,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15\n";
-  expect_words(error_of_file(write(text)), {"1 of type 'C3D15'", "prism6"});
+  const std::string message = error_of_file(write(text));
+  expect_words(message, {"1 of type 'C3D15'", "prism6", "first order, or C3D10 or C3D20"});
+  EXPECT_EQ(message.find("gmsh"), std::string::npos) << message;
+}
+
+TEST_F(Deck, SaysOfWhichFamiliesNothingIsComputed) {
+  for (const char* type : {"CAX4", "S4R", "M3D4"}) {
+    SCOPED_TRACE(type);
+    const std::string message = error_of_file(write(
+        fmt::format("*NODE\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n*ELEMENT,TYPE={}\n7,1,2,3,4\n", type)));
+    expect_words(message, {fmt::format("1 of type '{}'", type),
+                           "shells, membranes, beams and axisymmetric elements are not computed; "
+                           "use solid (C3D) or plane (CPE, CPS) elements"});
+    EXPECT_EQ(message.find("order"), std::string::npos) << message;
+  }
 }
 
 /// What `bench` writes for CalculiX, whose results agree with ours.

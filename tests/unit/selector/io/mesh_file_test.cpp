@@ -515,6 +515,15 @@ TEST_F(MeshFiles, SayWhatToDoWithFilesThatHoldNoMesh) {
   expect_words(error_of_file(write("part.med", "")), {"meshio convert part.med part.vtu"});
 }
 
+TEST_F(MeshFiles, MayHaveTheirExtensionInCapitals) {
+  const MeshFile upper =
+      read_mesh_file(write("HOUSE.MESH", read_text_file(std::filesystem::path(ELASTOGEN_TEST_DATA) /
+                                                            "meshes" / "house.mesh",
+                                                        "mesh")));
+  EXPECT_EQ(upper.mesh.region_names.size(), 2U);
+  EXPECT_EQ(upper.boundaries.size(), 2U);
+}
+
 TEST_F(MeshFiles, RefuseABodyOfLines) {
   expect_error({{0, 0, 0, 1, 0, 0}, {{1, {{0, 1}}, ""}}}, {"it has only lines"});
 }

@@ -59,6 +59,9 @@ TEST(Pictures, PrefixesKeepMagnitudesBetweenOneAndAThousand) {
     EXPECT_GE(std::abs(value) * prefix.factor, 1 - 1e-9);
     EXPECT_LT(std::abs(value) * prefix.factor, 1000);
   }
+  // What labels round to 1000 is 1 of the next.
+  EXPECT_EQ(si_prefix(999.9999999).symbol, "k");
+  EXPECT_EQ(si_prefix(999.99999).symbol, "");
   EXPECT_EQ(si_prefix(0).symbol, "");
   EXPECT_EQ(si_prefix(1e20).symbol, "T");
 }
