@@ -297,8 +297,8 @@ int run(const RunOptions& options, const Context& context) {
 
   BodyState end =
       make_steps(scene, problem, model, recorder, start ? &*start : nullptr, context, summary);
-  const SceneResults results = collect_results(scene, problem, model, fields, std::move(end));
   summary.times.solve = watch.lap();
+  const SceneResults results = collect_results(scene, problem, model, fields, std::move(end));
   summary.skipped = model.skipped();
   summary.reordered = model.is_reordered();
 

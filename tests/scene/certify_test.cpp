@@ -44,7 +44,7 @@ bool fuses_multiplications() {
 
 // The seeds are those of the kept figures, the cases fewer: none may be worse, but for what another
 // processor's contractions do. Without any, mooney_rivlin loses more in flat elements
-// (docs/accuracy.md).
+// (docs/stability.md).
 TEST_F(Certify, ShippedLawsAreNoWorseThanTheKeptFigures) {
   std::vector<std::string> command = {"certify",
                                       "*hooke*-tet4-q1-none",
