@@ -55,7 +55,7 @@ TEST_F(Certify, ShippedLawsAreNoWorseThanTheKeptFigures) {
                                       "stvk-pyramid5-q5-none",
                                       "hooke-prism6-q6-none",
                                       "--cases",
-                                      "6",
+                                      "3",
                                       "--baseline",
                                       kept_figures(),
                                       "--slack",

@@ -394,4 +394,13 @@ struct ReferenceKernels {
   }
 };
 
+// Compiled once, in reference_kernels.cpp.
+extern template struct ReferenceKernels<Hexa8, 4, false>;
+extern template struct ReferenceKernels<Hexa8, 8, false>;
+extern template struct ReferenceKernels<Hexa8, 8, true>;
+extern template struct ReferenceKernels<Tet4, 1, false>;
+extern template struct ReferenceKernels<Tet4, 4, false>;
+extern template struct ReferenceKernels<Tet4, 8, false>;
+extern template struct ReferenceKernels<Tet4, 8, true>;
+
 }  // namespace elastogen::test
