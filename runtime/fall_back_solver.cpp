@@ -40,7 +40,7 @@ bool FallBackSolver::set_shift(double shift) {
 
 void FallBackSolver::fall_back() {
   times_before_ = active_->times();
-  options_ = fallen_back(options_);
+  options_ = going_on(options_, true);
   options_.max_iterations = 0;
   active_ = make_linear_solver(options_, model_, constraints_);
   update();

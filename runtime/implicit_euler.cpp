@@ -12,9 +12,8 @@ ImplicitEuler::ImplicitEuler(Model& model, const Constraints& constraints,
                              const PrescribedMotion& motion, const ConstVectorRef& load,
                              const IntegratorOptions& options, MotionState start)
     : Integrator(model, constraints, motion, load, options, std::move(start)),
-      solver_(make_linear_solver(
-          state_.fell_back ? fallen_back(options.linear_solver) : options.linear_solver, model,
-          constraints)) {}
+      solver_(make_linear_solver(going_on(options.linear_solver, state_.fell_back), model,
+                                 constraints)) {}
 
 void ImplicitEuler::solve(const Vector& u, double h, const Vector& b, const Vector& v, Vector& x) {
   if (constraints_.num_free() == 0) {

@@ -22,7 +22,8 @@ std::string_view solver_name(LinearSolverKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-LinearSolverOptions fallen_back(LinearSolverOptions options) {
+LinearSolverOptions going_on(LinearSolverOptions options, bool fell_back) {
+  if (!fell_back) return options;
   options.kind = LinearSolverKind::cholesky_cg;
   options.fall_back_after = 0;
   return options;

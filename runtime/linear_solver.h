@@ -45,8 +45,8 @@ struct LinearSolverOptions {
   MakeCholeskyFactor cholesky = std::make_unique<SimplicialCholesky>;
 };
 
-/// What a solver that gave way goes on with.
-[[nodiscard]] LinearSolverOptions fallen_back(LinearSolverOptions options);
+/// What a solver goes on with that has given way; if it has not, the options as they are.
+[[nodiscard]] LinearSolverOptions going_on(LinearSolverOptions options, bool fell_back);
 
 /// Whether the tangent's element matrices are projected to positive semi-definite ones
 /// (TangentForm::semidefinite), which needs the kernels' stiffness.

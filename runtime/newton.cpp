@@ -53,9 +53,7 @@ class StaticSolver {
         motion_(motion),
         options_(options),
         potential_(model, constraints, load),
-        solver_(make_linear_solver(
-            fell_back ? fallen_back(options.linear_solver) : options.linear_solver, model,
-            constraints)),
+        solver_(make_linear_solver(going_on(options.linear_solver, fell_back), model, constraints)),
         has_load_(load.squaredNorm() > 0) {}
 
   void run(LoadState& state);

@@ -196,7 +196,6 @@ FieldValues FieldEvaluator::at(const Vector& displacement) {
   }
   if (!needs_stress(scene_)) return fields;
   evaluate(displacement);
-  fields.von_mises = greatest("von_mises");
   if (settings_.at_elements) add_arrays(element_means(), "", fields.elements);
   if (settings_.at_points) add_arrays(values_, "", fields.points);
   if (settings_.at_nodes) {

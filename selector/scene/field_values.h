@@ -30,7 +30,6 @@ struct GreatestAtPoints {
 /// the nodal method: "von_mises_average".
 struct FieldValues {
   std::vector<FieldArray> elements, nodes, points;
-  std::optional<GreatestAtPoints> von_mises;  ///< where it is among the fields, and finite
 };
 
 /// A number for each node of each element, in the mesh's order of elements, for a picture.
@@ -67,6 +66,10 @@ class FieldEvaluator {
   /// What the kernels say of all quadrature points; valid until the next evaluation. Needs stress.
   [[nodiscard]] const StressField& points_at(const Vector& displacement);
 
+  /// Of a scalar field in the last evaluation; none where the scene does not have it, or no point
+  /// has a finite number.
+  [[nodiscard]] std::optional<GreatestAtPoints> greatest(std::string_view field) const;
+
   /// What was found wrong in the last evaluation; empty: nothing.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
 
@@ -74,7 +77,6 @@ class FieldEvaluator {
   void evaluate(const Vector& displacement);
   [[nodiscard]] NodalRecovery& recovery();
   [[nodiscard]] std::vector<double> element_means() const;
-  [[nodiscard]] std::optional<GreatestAtPoints> greatest(std::string_view field) const;
   [[nodiscard]] std::vector<double> slot_values(NodalMethod method);
   void add_arrays(std::span<const double> quantities, const std::string& suffix,
                   std::vector<FieldArray>& arrays) const;

@@ -149,8 +149,7 @@ void Recorder::resume(const Checkpoint& checkpoint) {
   if (kept != header()) {
     throw InputError(
         fmt::format("{}: its columns are '{}', and the scene now asks for '{}': give [output] and "
-                    "probes as they "
-                    "were, or start without --resume",
+                    "probes as they were, or start without --resume",
                     history_file().string(), kept, header()));
   }
   fs::resize_file(history_file(), history_bytes_, error);

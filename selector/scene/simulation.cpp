@@ -120,6 +120,7 @@ SceneResults collect_results(const Scene& scene, const Problem& problem, Model& 
   results.state = std::move(state);
   const Vector& displacement = results.state.displacement;
   results.fields = fields.at(displacement);
+  results.von_mises = fields.greatest("von_mises");
   results.probes = evaluate_probes(scene, problem, results.state, fields);
   if (scene.output.fields.picture) results.picture = fields.picture(displacement);
   results.trouble = fields.trouble();

@@ -54,8 +54,9 @@ struct OperationsByPrecision {
 struct SceneResults {
   BodyState state;
   FieldValues fields;
-  std::optional<ElementNodeValues> picture;  ///< where a field is drawn
-  std::string trouble;                       ///< that a field has; empty: none
+  std::optional<GreatestAtPoints> von_mises;  ///< where it is among the fields
+  std::optional<ElementNodeValues> picture;   ///< where a field is drawn
+  std::string trouble;                        ///< that a field has; empty: none
   std::vector<ProbeResult> probes;
   std::optional<DeflectionCurve> curve;         ///< of bars
   std::optional<CurveDistance> distance;        ///< with a reference that is a curve

@@ -274,7 +274,7 @@ std::string results_text(const RunSummary& summary) {
                         vector_text(std::span(probe.displacement).first(dim), 6),
                         vector_text(std::span(probe.reaction).first(dim), 1));
   }
-  if (const auto& greatest = results.fields.von_mises) {
+  if (const auto& greatest = results.von_mises) {
     const SiPrefix prefix = si_prefix(greatest->value);
     text += fmt::format(
         "  von Mises stress    at most {:.6g} {}Pa at quadrature points, in element {}\n",
@@ -432,7 +432,7 @@ Json summary_json(const RunSummary& summary) {
                             {summary.motion ? "time" : "load_factor", summary.resumed_from->time}};
   }
   json["probes"] = probes_json(results, dim);
-  if (const auto& greatest = results.fields.von_mises) {
+  if (const auto& greatest = results.von_mises) {
     json["greatest_von_mises"] = {{"value", greatest->value}, {"element", greatest->element}};
   }
   if (results.curve)

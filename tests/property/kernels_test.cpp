@@ -434,8 +434,8 @@ TEST(Status, EveryOperationReportsTheDomain) {
     kernel(&arguments, 1);
     for (const std::uint32_t bits : status) EXPECT_NE(bits & status_outside_domain, 0U);
   };
-  for (const auto kernel : {variant.energy, variant.forces, variant.product, variant.stiffness,
-                            variant.stress}) {
+  for (const auto kernel :
+       {variant.energy, variant.forces, variant.product, variant.stiffness, variant.stress}) {
     expect_outside(kernel, output.data());
   }
   expect_outside(variant.linearize, state.data());
